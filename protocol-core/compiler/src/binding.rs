@@ -1,0 +1,1090 @@
+//! One `vehicle.toml`, checked against its DBC and the model: what the wire means to a cluster.
+//!
+//! The keys are described in `vehicles/FORMAT.md`.
+
+use crate::diagnostics::{Diagnostics, Report, did_you_mean};
+use crate::meaning::{CHECKSUMS, NODES, counts_per, words};
+use crate::network::{Message, Network, Signal};
+use crate::ratio::{Linear, Ratio};
+use protocol_core::checksum::Checksum;
+use protocol_core::codec::Mux;
+use protocol_core::model::{Severity, Unit, Value};
+use protocol_core::stream;
+use protocol_core::vehicle::Node;
+use std::collections::BTreeMap;
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue};
+
+pub(crate) struct Binding {
+    pub(crate) zh: String,
+    pub(crate) en: String,
+    /// 1 or 3.
+    pub(crate) worst_level: u8,
+    pub(crate) nodes: Vec<NodeRow>,
+    /// Sorted by identifier.
+    pub(crate) rx: Vec<Rx>,
+    pub(crate) streams: Vec<StreamRow>,
+    pub(crate) tx: Vec<Tx>,
+    /// Sorted by source and code.
+    pub(crate) faults: Vec<Fault>,
+}
+
+pub(crate) struct NodeRow {
+    pub(crate) dbc: String,
+    pub(crate) node: Node,
+    pub(crate) zh: String,
+    pub(crate) en: String,
+}
+
+pub(crate) struct Rx {
+    pub(crate) message: usize,
+    pub(crate) node: Node,
+    pub(crate) len: u8,
+    pub(crate) timeout_ms: u32,
+    pub(crate) checksum: Option<Checksum>,
+    pub(crate) expected: bool,
+    pub(crate) values: Vec<RxValue>,
+}
+
+pub(crate) struct RxValue {
+    pub(crate) value: Value,
+    /// More than one: a flag is set if any is, a severity is the worst, bits are numbered in this order.
+    pub(crate) terms: Vec<Term>,
+}
+
+impl RxValue {
+    /// Returns when the value is in the frame; all its signals are in it together.
+    pub(crate) fn mux(&self, message: &Message) -> Mux {
+        let mut muxes = self.terms.iter().map(|term| message.signals[term.signal].mux);
+        muxes.find(|mux| matches!(mux, Mux::When(_))).unwrap_or(Mux::Always)
+    }
+}
+
+/// A table that comes in several messages.
+pub(crate) struct StreamRow {
+    pub(crate) name: String,
+    /// Index of its first message in the network.
+    pub(crate) first: usize,
+    pub(crate) frames: usize,
+    pub(crate) step: i64,
+    /// Byte of the number, if there is one, and byte of the value.
+    pub(crate) cells: Vec<(Option<u8>, u8)>,
+    pub(crate) zeros_pad: bool,
+    pub(crate) start: usize,
+    pub(crate) size: usize,
+    pub(crate) valid: (u8, u8),
+    pub(crate) scale: Linear,
+    /// In the order of [`BOUND`].
+    pub(crate) bound: [Option<Value>; 5],
+}
+
+/// What a stream fills in, by the fields of `stream::Bound`.
+pub(crate) const BOUND: [&str; 5] = ["highest", "lowest", "highest_number", "lowest_number", "count"];
+
+pub(crate) struct Term {
+    pub(crate) signal: usize,
+    pub(crate) how: How,
+}
+
+pub(crate) enum How {
+    /// A number, scaled to the model's unit.
+    Scaled { linear: Linear, nearest: bool, magnitude: bool },
+    /// A state: model value of each raw value, `None` = invalid; what is not listed is `other`.
+    Mapped { states: States, other: Option<i32> },
+}
+
+/// State of the model by raw value; `None` = invalid.
+pub(crate) type States = BTreeMap<i64, Option<i32>>;
+
+pub(crate) struct Tx {
+    pub(crate) message: usize,
+    pub(crate) cycle_ms: u32,
+    pub(crate) checksum: Option<Checksum>,
+    pub(crate) signals: Vec<TxSignal>,
+}
+
+pub(crate) struct TxSignal {
+    pub(crate) signal: usize,
+    pub(crate) value: Value,
+    pub(crate) how: HowBack,
+    /// Raw value while the model value is not known.
+    pub(crate) missing: i64,
+}
+
+pub(crate) enum HowBack {
+    /// Raw value of a model number, before it is limited to the valid range.
+    Scaled { linear: Linear, nearest: bool },
+    /// `length` bits from bit `low` of the number that the scale gives.
+    Part { linear: Linear, low: u8, length: u8 },
+    /// Raw value of each state.
+    Mapped(BTreeMap<i32, i64>),
+}
+
+pub(crate) struct Fault {
+    pub(crate) source: Node,
+    pub(crate) code: u16,
+    pub(crate) severity: Option<Severity>,
+    pub(crate) fire: bool,
+    pub(crate) zh: String,
+    pub(crate) en: String,
+}
+
+type Entry<'t> = (&'t Spanned<std::borrow::Cow<'t, str>>, &'t Spanned<DeValue<'t>>);
+type Maps<'t> = BTreeMap<&'t str, &'t DeTable<'t>>;
+
+/// Silence that is not shorter than this makes values stale (BUS-108).
+const SHORTEST_TIMEOUT_MS: u32 = 500;
+
+/// Returns the silence after which values of a message are stale, unless the file says otherwise.
+fn usual_timeout(message: &Message) -> u32 {
+    (5 * message.slow_cycle_ms).max(SHORTEST_TIMEOUT_MS)
+}
+
+/// Reads a `vehicle.toml`.
+pub(crate) fn read(file: &str, text: &str, network: &Network) -> Result<Binding, Diagnostics> {
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let mut report = Report::new(file, text);
+    for error in &errors {
+        let offset = error.span().map_or(0, |span| span.start);
+        report.offset(offset, format!("not valid TOML: {}", error.message()));
+    }
+    if !errors.is_empty() {
+        return report.finish().or(()).map(|()| unreachable!("a report with errors is an error"));
+    }
+    let mut reader = Reader { report, network };
+    let binding = reader.root(root.get_ref());
+    reader.report.finish().or(binding)
+}
+
+struct Reader<'a> {
+    report: Report<'a>,
+    network: &'a Network,
+}
+
+/// A flag that is sent as 0 or 1.
+fn plain_flag() -> States {
+    States::from([(0, Some(0)), (1, Some(1))])
+}
+
+fn kind(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) => "a number",
+        DeValue::Float(_) => "a number with a decimal point",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+impl Reader<'_> {
+    fn wrong(&mut self, at: &Spanned<DeValue<'_>>, needed: &str) {
+        self.report.offset(at.span().start, format!("{needed} is needed here, not {}", kind(at.get_ref())));
+    }
+
+    fn text(&mut self, at: &Spanned<DeValue<'_>>) -> String {
+        match at.get_ref() {
+            DeValue::String(text) => text.to_string(),
+            _ => {
+                self.wrong(at, "a text");
+                String::new()
+            }
+        }
+    }
+
+    fn number(&mut self, at: &Spanned<DeValue<'_>>, range: std::ops::RangeInclusive<i64>) -> i64 {
+        let DeValue::Integer(integer) = at.get_ref() else {
+            self.wrong(at, "a number");
+            return *range.start();
+        };
+        match i64::from_str_radix(integer.as_str(), integer.radix()) {
+            Ok(number) if range.contains(&number) => number,
+            _ => {
+                let message = format!("{integer} must be {} to {}", range.start(), range.end());
+                self.report.offset(at.span().start, message);
+                *range.start()
+            }
+        }
+    }
+
+    fn flag(&mut self, at: &Spanned<DeValue<'_>>) -> bool {
+        if let DeValue::Boolean(flag) = at.get_ref() {
+            return *flag;
+        }
+        self.wrong(at, "true or false");
+        false
+    }
+
+    fn table<'t>(&mut self, at: &'t Spanned<DeValue<'_>>) -> Vec<Entry<'t>> {
+        match at.get_ref() {
+            DeValue::Table(table) => table.iter().collect(),
+            _ => {
+                self.wrong(at, "a table");
+                Vec::new()
+            }
+        }
+    }
+
+    fn unknown<'c>(&mut self, offset: usize, what: &str, word: &str, known: impl Iterator<Item = &'c str>) {
+        let near = did_you_mean(word, known);
+        self.report.offset(offset, format!("no {what} `{word}`{near}"));
+    }
+
+    fn root(&mut self, root: &DeTable<'_>) -> Binding {
+        const SECTIONS: [&str; 7] = ["faults", "maps", "nodes", "rx", "streams", "tx", "vehicle"];
+        let mut binding = Binding {
+            zh: String::new(),
+            en: String::new(),
+            worst_level: 3,
+            nodes: Vec::new(),
+            rx: Vec::new(),
+            streams: Vec::new(),
+            tx: Vec::new(),
+            faults: Vec::new(),
+        };
+        for key in root.keys().filter(|key| !SECTIONS.contains(&key.get_ref().as_ref())) {
+            self.unknown(key.span().start, "section", key.get_ref(), SECTIONS.into_iter());
+        }
+        match root.get("vehicle") {
+            Some(vehicle) => self.vehicle(vehicle, &mut binding),
+            None => self.report.line(1, "section [vehicle] with the names `zh` and `en` is missing"),
+        }
+        if let Some(nodes) = root.get("nodes") {
+            binding.nodes = self.nodes(nodes);
+        }
+        let mut maps = Maps::new();
+        if let Some(table) = root.get("maps") {
+            for (name, map) in self.table(table) {
+                match map.get_ref() {
+                    DeValue::Table(map) => drop(maps.insert(name.get_ref(), map)),
+                    _ => self.wrong(map, "a table"),
+                }
+            }
+        }
+        if let Some(rx) = root.get("rx") {
+            binding.rx = self.received(rx, &binding.nodes, &maps);
+        }
+        if let Some(streams) = root.get("streams") {
+            self.streams(streams, &mut binding);
+        }
+        if let Some(tx) = root.get("tx") {
+            binding.tx = self.sent(tx, &binding.nodes, &maps);
+        }
+        if let Some(faults) = root.get("faults") {
+            binding.faults = self.faults(faults, &binding.nodes);
+        }
+        binding
+    }
+
+    fn vehicle(&mut self, at: &Spanned<DeValue<'_>>, binding: &mut Binding) {
+        for (key, value) in self.table(at) {
+            match key.get_ref().as_ref() {
+                "zh" => binding.zh = self.text(value),
+                "en" => binding.en = self.text(value),
+                "worst_level" => match self.number(value, 1..=3) {
+                    2 => self.wrong(value, "1 or 3"),
+                    level => binding.worst_level = level as u8,
+                },
+                other => {
+                    self.unknown(key.span().start, "key", other, ["zh", "en", "worst_level"].into_iter());
+                }
+            }
+        }
+        if binding.zh.is_empty() || binding.en.is_empty() {
+            self.report.offset(at.span().start, "[vehicle] needs the names `zh` and `en`");
+        }
+    }
+
+    fn nodes(&mut self, at: &Spanned<DeValue<'_>>) -> Vec<NodeRow> {
+        let mut rows: Vec<NodeRow> = Vec::new();
+        for (name, table) in self.table(at) {
+            if !self.network.nodes.iter().any(|node| node == name.get_ref()) {
+                let known = self.network.nodes.iter().map(String::as_str);
+                let near = did_you_mean(name.get_ref(), known);
+                self.report
+                    .offset(name.span().start, format!("no node `{}` in the DBC{near}", name.get_ref()));
+            }
+            let (mut node, mut zh, mut en) = (None, String::new(), String::new());
+            for (key, value) in self.table(table) {
+                match key.get_ref().as_ref() {
+                    "node" => {
+                        let word = self.text(value);
+                        node = NODES.iter().find(|(name, _)| *name == word).map(|(_, node)| *node);
+                        if node.is_none() {
+                            let known = NODES.iter().map(|(name, _)| *name);
+                            self.unknown(value.span().start, "kind of node", &word, known);
+                            node = Some(Node::Vcu);
+                        }
+                    }
+                    "zh" => zh = self.text(value),
+                    "en" => en = self.text(value),
+                    other => self.unknown(key.span().start, "key", other, ["node", "zh", "en"].into_iter()),
+                }
+            }
+            let Some(node) = node.filter(|_| !zh.is_empty() && !en.is_empty()) else {
+                let message = format!("node `{}` needs `node`, `zh` and `en`", name.get_ref());
+                self.report.offset(name.span().start, message);
+                continue;
+            };
+            if rows.iter().any(|row| row.node == node) {
+                let message = format!("`{}` is the second node of this kind", name.get_ref());
+                self.report.offset(name.span().start, message);
+            }
+            rows.push(NodeRow { dbc: name.get_ref().to_string(), node, zh, en });
+        }
+        rows.sort_by_key(|row| row.node);
+        rows
+    }
+
+    /// Returns the message of a section and the kind of its sender.
+    fn message(
+        &mut self,
+        name: &Spanned<std::borrow::Cow<'_, str>>,
+        nodes: &[NodeRow],
+    ) -> Option<(usize, Node)> {
+        let messages = &self.network.messages;
+        let Some(index) = messages.iter().position(|message| message.name == *name.get_ref()) else {
+            let near = did_you_mean(name.get_ref(), messages.iter().map(|message| message.name.as_str()));
+            self.report
+                .offset(name.span().start, format!("no message `{}` in the DBC{near}", name.get_ref()));
+            return None;
+        };
+        let sender = &messages[index].sender;
+        let Some(row) = nodes.iter().find(|row| row.dbc == *sender) else {
+            let message =
+                format!("`{}` is sent by `{sender}`, which has no [nodes.{sender}]", name.get_ref());
+            self.report.offset(name.span().start, message);
+            return None;
+        };
+        Some((index, row.node))
+    }
+
+    fn received(&mut self, at: &Spanned<DeValue<'_>>, nodes: &[NodeRow], maps: &Maps<'_>) -> Vec<Rx> {
+        let mut rows: Vec<Rx> = Vec::new();
+        let mut owners: BTreeMap<Value, String> = BTreeMap::new();
+        for (name, table) in self.table(at) {
+            let Some((index, node)) = self.message(name, nodes) else { continue };
+            let message = &self.network.messages[index];
+            if node == Node::Cluster {
+                let text = format!("`{}` is sent by the cluster: it belongs to [tx.{0}]", message.name);
+                self.report.offset(name.span().start, text);
+                continue;
+            }
+            let mut enabled = true;
+            let mut timeout = None;
+            let mut row = Rx {
+                message: index,
+                node,
+                len: message.len,
+                timeout_ms: 0,
+                checksum: None,
+                expected: !message.optional,
+                values: Vec::new(),
+            };
+            for (key, value) in self.table(table) {
+                match key.get_ref().as_ref() {
+                    "enabled" => enabled = self.flag(value),
+                    "expected" => row.expected = self.flag(value),
+                    "checksum" => row.checksum = self.checksum(value, message),
+                    "len" => row.len = self.number(value, 0..=i64::from(message.len)) as u8,
+                    "timeout_ms" => timeout = Some(self.number(value, 50..=600_000) as u32),
+                    _ => self.paths(String::new(), key, value, message, maps, &mut row.values),
+                }
+            }
+            row.timeout_ms = timeout.unwrap_or(usual_timeout(message));
+            if row.checksum.is_some_and(|checksum| row.len < checksum.len) {
+                let text =
+                    format!("`len` of `{}` cuts its checksum off: it covers the whole frame", message.name);
+                self.report.offset(name.span().start, text);
+            }
+            if timeout.is_none() && message.slow_cycle_ms == 0 {
+                let text = format!("`{}` has no cycle time in the DBC: set `timeout_ms`", message.name);
+                self.report.offset(name.span().start, text);
+            }
+            row.values.sort_by_key(|value| value.value);
+            if !enabled {
+                continue;
+            }
+            for value in &row.values {
+                if let Some(other) = owners.insert(value.value, message.name.clone()) {
+                    let text =
+                        format!("`{}` is bound in {other} and in {}", value.value.path(), message.name);
+                    self.report.offset(name.span().start, text);
+                }
+            }
+            rows.push(row);
+        }
+        rows.sort_by_key(|row| self.network.messages[row.message].id);
+        if rows.len() >= 0xFE {
+            self.report.offset(at.span().start, "more than 253 received messages");
+        }
+        rows
+    }
+
+    /// Reads `path = ...`, written in one key or in nested tables.
+    fn paths(
+        &mut self,
+        prefix: String,
+        key: &Spanned<std::borrow::Cow<'_, str>>,
+        at: &Spanned<DeValue<'_>>,
+        message: &Message,
+        maps: &Maps<'_>,
+        found: &mut Vec<RxValue>,
+    ) {
+        let path = format!("{prefix}{}", key.get_ref());
+        if let Some(value) = Value::from_path(&path) {
+            found.extend(self.bound(value, at, message, maps));
+            return;
+        }
+        let prefix = format!("{path}.");
+        match at.get_ref() {
+            DeValue::Table(table) if !table.contains_key("signal") => {
+                for (key, value) in table.iter() {
+                    self.paths(prefix.clone(), key, value, message, maps, found);
+                }
+            }
+            _ => {
+                const OPTIONS: [&str; 5] = ["checksum", "enabled", "expected", "len", "timeout_ms"];
+                let known = Value::ALL.iter().map(|value| value.path()).chain(OPTIONS);
+                self.unknown(key.span().start, "model value", &path, known);
+            }
+        }
+    }
+
+    fn bound(
+        &mut self,
+        value: Value,
+        at: &Spanned<DeValue<'_>>,
+        message: &Message,
+        maps: &Maps<'_>,
+    ) -> Option<RxValue> {
+        let DeValue::Array(list) = at.get_ref() else {
+            return Some(RxValue { value, terms: vec![self.term(value, at, message, maps)?] });
+        };
+        if !matches!(value.unit(), Unit::Flag | Unit::Severity | Unit::Bits) {
+            let text = format!("`{}` is no flag, severity or bits: a list has no meaning", value.path());
+            self.report.offset(at.span().start, text);
+        }
+        let terms: Vec<Term> = list.iter().filter_map(|at| self.term(value, at, message, maps)).collect();
+        if value.unit() == Unit::Bits && !(1..=31).contains(&list.len()) {
+            self.report.offset(at.span().start, format!("`{}` holds 1 to 31 bits", value.path()));
+        }
+        let row = RxValue { value, terms };
+        let together =
+            |term: &Term| [Mux::Always, row.mux(message)].contains(&message.signals[term.signal].mux);
+        if !row.terms.iter().all(|term| message.signals[term.signal].mux == Mux::Selector || together(term)) {
+            let text = format!("the signals of `{}` are never in the same frame", value.path());
+            self.report.offset(at.span().start, text);
+        }
+        Some(row)
+    }
+
+    fn signal(&mut self, name: &str, offset: usize, message: &Message) -> Option<usize> {
+        let found = message.signal(name);
+        if found.is_none() {
+            let known = message.signals.iter().map(|signal| signal.name.as_str());
+            let near = did_you_mean(name, known);
+            self.report.offset(offset, format!("no signal `{name}` in {}{near}", message.name));
+        }
+        found
+    }
+
+    /// Returns a signal that is one whole byte without a sign, and its byte.
+    fn byte(&mut self, at: &Spanned<DeValue<'_>>, message: &Message) -> Option<(usize, u8)> {
+        let (name, offset) = (self.text(at), at.span().start);
+        let index = self.signal(&name, offset, message)?;
+        let signal = &message.signals[index];
+        match signal.segments().as_slice() {
+            [segment] if segment.bits == 8 && !signal.signed && signal.mux == Mux::Always => {
+                Some((index, segment.byte))
+            }
+            _ => {
+                self.report.offset(offset, format!("`{name}` is not one whole byte without a sign"));
+                None
+            }
+        }
+    }
+
+    fn checksum(&mut self, at: &Spanned<DeValue<'_>>, message: &Message) -> Option<Checksum> {
+        let (mut byte, mut kind) = (None, None);
+        for (key, value) in self.table(at) {
+            match key.get_ref().as_ref() {
+                "signal" => byte = Some(self.byte(value, message)),
+                "kind" => {
+                    let word = self.text(value);
+                    kind = CHECKSUMS.iter().find(|(name, _)| *name == word).map(|(_, kind)| *kind);
+                    if kind.is_none() {
+                        let known = CHECKSUMS.iter().map(|(name, _)| *name);
+                        self.unknown(value.span().start, "kind of checksum", &word, known);
+                        return None;
+                    }
+                }
+                other => self.unknown(key.span().start, "key", other, ["signal", "kind"].into_iter()),
+            }
+        }
+        let (Some(byte), Some(kind)) = (byte, kind) else {
+            self.report.offset(at.span().start, "a checksum needs `signal` and `kind`");
+            return None;
+        };
+        let (index, byte) = byte?;
+        if message.signals[index].life.is_some() {
+            self.report.offset(at.span().start, "the life counter cannot be the checksum");
+        }
+        Some(Checksum { byte, len: message.len, kind })
+    }
+
+    fn streams(&mut self, at: &Spanned<DeValue<'_>>, binding: &mut Binding) {
+        for (name, table) in self.table(at) {
+            let Some((row, rx)) = self.stream(name, table, binding) else { continue };
+            if binding.rx.iter().any(|rx| (row.first..row.first + row.frames).contains(&rx.message)) {
+                let text =
+                    format!("messages of `{}` belong to the stream and have no [rx.] of their own", row.name);
+                self.report.offset(name.span().start, text);
+            }
+            binding.rx.push(rx);
+            binding.streams.push(row);
+        }
+        binding.rx.sort_by_key(|row| self.network.messages[row.message].id);
+    }
+
+    /// Returns a stream, and the receive row of its first message, which is its sign of life.
+    fn stream(
+        &mut self,
+        name: &Spanned<std::borrow::Cow<'_, str>>,
+        at: &Spanned<DeValue<'_>>,
+        binding: &Binding,
+    ) -> Option<(StreamRow, Rx)> {
+        const KEYS: [&str; 9] = [
+            "messages",
+            "numbers",
+            "values",
+            "zeros_pad",
+            "highest",
+            "lowest",
+            "highest_number",
+            "lowest_number",
+            "count",
+        ];
+        let here = name.span().start;
+        let (mut ends, mut numbers, mut values, mut zeros_pad) = (None, None, None, false);
+        let mut bound = [None; 5];
+        for (key, value) in self.table(at) {
+            let offset = value.span().start;
+            match (key.get_ref().as_ref(), value.get_ref()) {
+                ("messages", DeValue::Array(list)) if list.len() == 2 => ends = Some(list),
+                ("numbers", DeValue::Array(list)) => numbers = Some(list),
+                ("values", DeValue::Array(list)) => values = Some(list),
+                ("messages", _) => self.wrong(value, "a list of the first and the last message"),
+                ("numbers" | "values", _) => self.wrong(value, "a list of signals"),
+                ("zeros_pad", _) => zeros_pad = self.flag(value),
+                (other, _) => match BOUND.iter().position(|known| *known == other) {
+                    Some(index) => {
+                        let path = self.text(value);
+                        bound[index] = Value::from_path(&path);
+                        if bound[index].is_none() {
+                            let known = Value::ALL.iter().map(|value| value.path());
+                            self.unknown(offset, "model value", &path, known);
+                        }
+                    }
+                    None => self.unknown(key.span().start, "key", other, KEYS.into_iter()),
+                },
+            }
+        }
+        let (Some(ends), Some(values)) = (ends, values) else {
+            self.report.offset(here, format!("stream `{}` needs `messages` and `values`", name.get_ref()));
+            return None;
+        };
+        let (first, frames, step, node) = self.run_of_messages(ends, here, &binding.nodes)?;
+        let message = &self.network.messages[first];
+        let values: Vec<(usize, u8)> = values.iter().filter_map(|at| self.byte(at, message)).collect();
+        let numbers: Option<Vec<(usize, u8)>> =
+            numbers.map(|list| list.iter().filter_map(|at| self.byte(at, message)).collect());
+        if values.is_empty() || numbers.as_ref().is_some_and(|numbers| numbers.len() != values.len()) {
+            self.report.offset(here, "`numbers` must be as many as `values`");
+            return None;
+        }
+        let signals: Vec<&Signal> = values.iter().map(|(index, _)| &message.signals[*index]).collect();
+        let alike = |signal: &&Signal| {
+            (signal.scale, &signal.unit, signal.range, signal.invalid_raw)
+                == (signals[0].scale, &signals[0].unit, signals[0].range, None)
+        };
+        if !signals.iter().all(alike) {
+            self.report
+                .offset(here, "`values` differ in factor, offset, unit or range, or have an invalid value");
+        }
+        for value in bound[2..].iter().flatten().filter(|value| value.unit() != Unit::Count) {
+            self.report.offset(here, format!("`{}` does not count", value.path()));
+        }
+        let scales =
+            [bound[0], bound[1]].into_iter().flatten().map(|value| self.scale(value, signals[0], here));
+        let scales: Vec<Option<Linear>> = scales.collect();
+        if scales.windows(2).any(|pair| pair[0] != pair[1]) {
+            self.report.offset(here, "`highest` and `lowest` are values of different units");
+        }
+        let start = binding.streams.last().map_or(0, |last| last.start + last.size);
+        let size = if numbers.is_some() { 256 } else { frames * values.len() };
+        if start + size > stream::ROOM {
+            let text = format!("the streams hold {} cells, {} is the most", start + size, stream::ROOM);
+            self.report.offset(here, text);
+        }
+        let numbers = numbers.map_or(vec![None; values.len()], |numbers| {
+            numbers.into_iter().map(|(_, byte)| Some(byte)).collect()
+        });
+        let rx = Rx {
+            message: first,
+            node,
+            len: message.len,
+            timeout_ms: usual_timeout(message),
+            checksum: None,
+            expected: false,
+            values: Vec::new(),
+        };
+        let row = StreamRow {
+            name: name.get_ref().to_string(),
+            first,
+            frames,
+            step,
+            cells: numbers.into_iter().zip(values.iter().map(|(_, byte)| *byte)).collect(),
+            zeros_pad,
+            start,
+            size,
+            valid: (signals[0].range.0 as u8, signals[0].range.1 as u8),
+            scale: scales.first().copied().unwrap_or(Some(signals[0].scale))?,
+            bound,
+        };
+        Some((row, rx))
+    }
+
+    /// Returns index of the first message, how many there are, the distance of their identifiers and the sender.
+    fn run_of_messages(
+        &mut self,
+        ends: &DeArray<'_>,
+        here: usize,
+        nodes: &[NodeRow],
+    ) -> Option<(usize, usize, i64, Node)> {
+        let mut found = Vec::new();
+        for at in ends.iter() {
+            let word = Spanned::new(at.span(), self.text(at).into());
+            found.push(self.message(&word, nodes)?);
+        }
+        let [(first, node), (last, _)] = found[..] else { return None };
+        let messages = self.network.messages.get(first..=last).unwrap_or_default();
+        let steps: Vec<i64> =
+            messages.windows(2).map(|pair| i64::from(pair[1].id) - i64::from(pair[0].id)).collect();
+        let alike = |message: &Message| {
+            let first = &messages[0];
+            message.len == first.len && message.signals == first.signals && message.sender == first.sender
+        };
+        let even = steps.first().is_some_and(|step| steps.iter().all(|other| other == step));
+        if !even || !messages.iter().all(alike) || messages.len() > 128 {
+            let text = "the messages from the first to the last must be alike, in the order of the DBC, \
+                        with identifiers at equal distance, and 2 to 128";
+            self.report.offset(here, text);
+            return None;
+        }
+        Some((first, messages.len(), steps[0], node))
+    }
+
+    fn term(
+        &mut self,
+        value: Value,
+        at: &Spanned<DeValue<'_>>,
+        message: &Message,
+        maps: &Maps<'_>,
+    ) -> Option<Term> {
+        const KEYS: [&str; 5] = ["magnitude", "map", "other", "round", "signal"];
+        let mut name = None;
+        let (mut nearest, mut magnitude) = (false, false);
+        let (mut map, mut other): (Option<Vec<Entry<'_>>>, _) = (None, None);
+        match at.get_ref() {
+            DeValue::String(text) => name = Some((text.to_string(), at.span().start)),
+            DeValue::Table(table) => {
+                for (key, value_at) in table.iter() {
+                    match key.get_ref().as_ref() {
+                        "signal" => name = Some((self.text(value_at), value_at.span().start)),
+                        "round" => nearest = self.rounding(value_at),
+                        "magnitude" => magnitude = self.flag(value_at),
+                        "map" => map = self.map(value_at, maps),
+                        "other" => other = self.state(value, value_at),
+                        key_name => self.unknown(key.span().start, "key", key_name, KEYS.into_iter()),
+                    }
+                }
+            }
+            _ => self.wrong(at, "the name of a signal"),
+        }
+        let Some((name, offset)) = name else {
+            self.report.offset(at.span().start, format!("`{}` needs a `signal`", value.path()));
+            return None;
+        };
+        let index = self.signal(&name, offset, message)?;
+        let signal = &message.signals[index];
+        if value.unit() == Unit::Bits && signal.length != 1 {
+            self.report.offset(offset, format!("`{name}` has {} bits, one is needed", signal.length));
+        }
+        let how = if value.unit() == Unit::Bits {
+            How::Mapped { states: plain_flag(), other: None }
+        } else if map.is_some() || !words(value.unit()).is_empty() {
+            let mut states = self.states(value, signal, map.unwrap_or_default(), at.span().start)?;
+            if other.is_none() {
+                states.retain(|_, state| state.is_some());
+            }
+            How::Mapped { states, other }
+        } else {
+            How::Scaled { linear: self.scale(value, signal, at.span().start)?, nearest, magnitude }
+        };
+        Some(Term { signal: index, how })
+    }
+
+    fn rounding(&mut self, at: &Spanned<DeValue<'_>>) -> bool {
+        let word = self.text(at);
+        if !["down", "nearest"].contains(&word.as_str()) {
+            self.unknown(at.span().start, "rounding", &word, ["down", "nearest"].into_iter());
+        }
+        word == "nearest"
+    }
+
+    /// Returns the entries of a map, given in place or by name.
+    fn map<'t>(&mut self, at: &'t Spanned<DeValue<'_>>, maps: &Maps<'t>) -> Option<Vec<Entry<'t>>> {
+        match at.get_ref() {
+            DeValue::Table(table) => Some(table.iter().collect()),
+            DeValue::String(name) => match maps.get(name.as_ref()) {
+                Some(map) => Some(map.iter().collect()),
+                None => {
+                    self.unknown(at.span().start, "map", name, maps.keys().copied());
+                    None
+                }
+            },
+            _ => {
+                self.wrong(at, "the name of a map or a table");
+                None
+            }
+        }
+    }
+
+    /// Reads a state of the model: a word of its unit, or a number; `None` for "invalid".
+    fn state(&mut self, value: Value, at: &Spanned<DeValue<'_>>) -> Option<i32> {
+        let known = words(value.unit());
+        match at.get_ref() {
+            DeValue::Integer(_) if known.is_empty() => Some(self.number(at, 0..=i64::from(i32::MAX)) as i32),
+            DeValue::Boolean(flag) if value.unit() == Unit::Flag => Some(i32::from(*flag)),
+            DeValue::String(word) if word == "invalid" => None,
+            DeValue::String(word) => {
+                let state = known.iter().find(|(known, _)| known == word);
+                if state.is_none() {
+                    let candidates = known.iter().map(|(word, _)| *word).chain(["invalid"]);
+                    let what = format!("state of `{}`", value.path());
+                    self.unknown(at.span().start, &what, word, candidates);
+                }
+                state.map(|(_, state)| *state)
+            }
+            _ => {
+                self.wrong(at, "a word");
+                None
+            }
+        }
+    }
+
+    /// Returns raw value -> state: from the map, else from words that the value table and the model share.
+    fn states(
+        &mut self,
+        value: Value,
+        signal: &Signal,
+        map: Vec<Entry<'_>>,
+        offset: usize,
+    ) -> Option<States> {
+        let known = words(value.unit());
+        let mut states = States::new();
+        if value.unit() == Unit::Flag && signal.length == 1 && map.is_empty() {
+            return Some(plain_flag());
+        }
+        for (raw, word) in &signal.values {
+            if let Some((_, state)) = known.iter().find(|(known, _)| known == word) {
+                states.insert(*raw, Some(*state));
+            }
+        }
+        for (key, at) in &map {
+            let name = key.get_ref().as_ref();
+            let by_word = signal.values.iter().find(|(_, word)| word == name).map(|(raw, _)| *raw);
+            let by_number = match name.strip_prefix("0x") {
+                Some(hex) => i64::from_str_radix(hex, 16).ok(),
+                None => name.parse().ok(),
+            };
+            let (lowest, highest) = signal.span();
+            let Some(raw) = by_word.or(by_number).filter(|raw| (lowest..=highest).contains(raw)) else {
+                let candidates = signal.values.iter().map(|(_, word)| word.as_str());
+                let near = did_you_mean(name, candidates);
+                let text = format!("signal `{}` has no value `{name}`{near}", signal.name);
+                self.report.offset(key.span().start, text);
+                continue;
+            };
+            states.insert(raw, self.state(value, at));
+        }
+        let missing = signal.values.iter().filter(|(raw, _)| !states.contains_key(raw));
+        let missing: Vec<&str> = missing.map(|(_, word)| word.as_str()).collect();
+        if !missing.is_empty() {
+            let candidates: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
+            let text = format!(
+                "`{}` does not say what `{}` of `{}` means: map each to {} or invalid",
+                value.path(),
+                missing.join("`, `"),
+                signal.name,
+                if candidates.is_empty() { "a number".into() } else { candidates.join(", ") },
+            );
+            self.report.offset(offset, text);
+        } else if states.is_empty() {
+            let text = format!("`{}` needs a `map`: `{}` has no value table", value.path(), signal.name);
+            self.report.offset(offset, text);
+            return None;
+        }
+        Some(states)
+    }
+
+    /// Returns model counts as a function of the raw value.
+    fn scale(&mut self, value: Value, signal: &Signal, offset: usize) -> Option<Linear> {
+        let Some(counts) = counts_per(value.unit(), &signal.unit) else {
+            let text = format!(
+                "`{}` counts {:?}, but `{}` has the unit \"{}\"",
+                value.path(),
+                value.unit(),
+                signal.name,
+                signal.unit
+            );
+            self.report.offset(offset, text);
+            return None;
+        };
+        let linear = Linear::new(signal.factor * counts, signal.offset * counts);
+        let fits = |linear: &Linear| {
+            let at = |raw| i32::try_from(linear.floor(raw)).is_ok();
+            at(signal.range.0) && at(signal.range.1)
+        };
+        let linear = linear.filter(fits);
+        if linear.is_none() {
+            let text = format!("`{}` does not fit in 31 bits of `{}`", signal.name, value.path());
+            self.report.offset(offset, text);
+        }
+        linear
+    }
+
+    fn sent(&mut self, at: &Spanned<DeValue<'_>>, nodes: &[NodeRow], maps: &Maps<'_>) -> Vec<Tx> {
+        let mut rows: Vec<Tx> = Vec::new();
+        for (name, table) in self.table(at) {
+            let Some((index, node)) = self.message(name, nodes) else { continue };
+            let message = &self.network.messages[index];
+            if node != Node::Cluster {
+                let text = format!("`{}` is sent by `{}`, not by the cluster", message.name, message.sender);
+                self.report.offset(name.span().start, text);
+            }
+            let mut row =
+                Tx { message: index, cycle_ms: message.cycle_ms, checksum: None, signals: Vec::new() };
+            for (key, value) in self.table(table) {
+                match key.get_ref().as_ref() {
+                    "cycle_ms" => row.cycle_ms = self.number(value, 10..=60_000) as u32,
+                    // A signal of this name cannot be bound to anything else.
+                    "checksum" => row.checksum = self.checksum(value, message),
+                    signal => {
+                        let Some(signal) = self.signal(signal, key.span().start, message) else { continue };
+                        if matches!(message.signals[signal].mux, Mux::When(_)) {
+                            let text = "the cluster sends no multiplexed signals";
+                            self.report.offset(key.span().start, text);
+                        }
+                        if message.signals[signal].life.is_some() {
+                            let text = "the life counter is counted by the sender and cannot be bound";
+                            self.report.offset(key.span().start, text);
+                        }
+                        row.signals.extend(self.source(signal, message, value, maps));
+                    }
+                }
+            }
+            if row.cycle_ms == 0 {
+                let text = format!("`{}` has no cycle time in the DBC: set `cycle_ms`", message.name);
+                self.report.offset(name.span().start, text);
+            }
+            row.signals.sort_by_key(|signal| signal.signal);
+            rows.push(row);
+        }
+        rows.sort_by_key(|row| self.network.messages[row.message].id);
+        rows
+    }
+
+    fn source(
+        &mut self,
+        index: usize,
+        message: &Message,
+        at: &Spanned<DeValue<'_>>,
+        maps: &Maps<'_>,
+    ) -> Option<TxSignal> {
+        const KEYS: [&str; 5] = ["bits", "from", "map", "missing", "round"];
+        let signal = &message.signals[index];
+        let (mut path, mut nearest, mut missing, mut part) = (None, false, None, None);
+        let mut map_at = None;
+        match at.get_ref() {
+            DeValue::String(text) => path = Some((text.to_string(), at.span().start)),
+            DeValue::Table(table) => {
+                for (key, value) in table.iter() {
+                    match key.get_ref().as_ref() {
+                        "from" => path = Some((self.text(value), value.span().start)),
+                        "round" => nearest = self.rounding(value),
+                        "map" => map_at = Some(value),
+                        "missing" => missing = Some(self.number(value, signal.span().0..=signal.span().1)),
+                        "bits" => part = self.part(value, signal),
+                        other => self.unknown(key.span().start, "key", other, KEYS.into_iter()),
+                    }
+                }
+            }
+            _ => self.wrong(at, "the path of a model value"),
+        }
+        let Some((path, offset)) = path else {
+            self.report.offset(at.span().start, format!("`{}` needs a `from`", signal.name));
+            return None;
+        };
+        let Some(value) = Value::from_path(&path) else {
+            self.unknown(offset, "model value", &path, Value::ALL.iter().map(|value| value.path()));
+            return None;
+        };
+        let missing = missing.or(signal.invalid_raw).unwrap_or(signal.start_raw);
+        let how = if map_at.is_some() || !words(value.unit()).is_empty() {
+            let map = match map_at {
+                Some(at) => self.map(at, maps)?,
+                None => Vec::new(),
+            };
+            // A flag in the raw values 0 and 1 needs no words, whatever the value table calls them.
+            let plain = signal.values.is_empty() || signal.range == (0, 1);
+            let states = match value.unit() == Unit::Flag && map.is_empty() && plain {
+                true => plain_flag(),
+                false => self.states(value, signal, map, at.span().start)?,
+            };
+            let mut back = BTreeMap::new();
+            for (raw, state) in states {
+                if let Some(state) = state {
+                    back.entry(state).or_insert(raw);
+                }
+            }
+            HowBack::Mapped(back)
+        } else {
+            self.back(value, signal, nearest, part, at.span().start)?
+        };
+        Some(TxSignal { signal: index, value, how, missing })
+    }
+
+    fn part(&mut self, at: &Spanned<DeValue<'_>>, signal: &Signal) -> Option<(u8, u8)> {
+        let DeValue::Array(list) = at.get_ref() else {
+            self.wrong(at, "a list of two numbers, lowest bit and length,");
+            return None;
+        };
+        let numbers: Vec<i64> = list.iter().map(|at| self.number(at, 0..=32)).collect();
+        match numbers.as_slice() {
+            [low, length] if low + length <= 32 && *length == i64::from(signal.length) => {
+                Some((*low as u8, *length as u8))
+            }
+            _ => {
+                let text = format!("`bits` needs lowest bit and length, the length being {}", signal.length);
+                self.report.offset(at.span().start, text);
+                None
+            }
+        }
+    }
+
+    fn back(
+        &mut self,
+        value: Value,
+        signal: &Signal,
+        nearest: bool,
+        part: Option<(u8, u8)>,
+        offset: usize,
+    ) -> Option<HowBack> {
+        let counts = counts_per(value.unit(), &signal.unit);
+        let Some(counts) = counts else {
+            self.scale(value, signal, offset);
+            return None;
+        };
+        let one = Ratio::whole(1);
+        let linear =
+            Linear::new(one / (signal.factor * counts), (Ratio::ZERO - signal.offset) / signal.factor);
+        if linear.is_none() {
+            let text = format!("`{}` cannot be computed from `{}` in 31 bits", signal.name, value.path());
+            self.report.offset(offset, text);
+        }
+        let linear = linear?;
+        Some(match part {
+            Some((low, length)) => HowBack::Part { linear, low, length },
+            None => HowBack::Scaled { linear, nearest },
+        })
+    }
+
+    fn faults(&mut self, at: &Spanned<DeValue<'_>>, nodes: &[NodeRow]) -> Vec<Fault> {
+        let mut rows: Vec<Fault> = Vec::new();
+        for (source, table) in self.table(at) {
+            let mut sources: Vec<Node> = self.fault_source(source.get_ref(), source.span().start, nodes);
+            let mut codes = None;
+            for (key, value) in self.table(table) {
+                match (key.get_ref().as_ref(), value.get_ref()) {
+                    ("also", DeValue::Array(list)) => {
+                        for at in list.iter() {
+                            let name = self.text(at);
+                            sources.extend(self.fault_source(&name, at.span().start, nodes));
+                        }
+                    }
+                    ("codes", DeValue::Array(list)) => codes = Some(list),
+                    ("also" | "codes", _) => self.wrong(value, "a list"),
+                    (other, _) => self.unknown(key.span().start, "key", other, ["also", "codes"].into_iter()),
+                }
+            }
+            for row in codes.into_iter().flat_map(|list| list.iter()) {
+                self.fault(row, &sources, &mut rows);
+            }
+        }
+        rows.sort_by_key(|fault| (fault.source, fault.code));
+        rows
+    }
+
+    fn fault_source(&mut self, name: &str, offset: usize, nodes: &[NodeRow]) -> Vec<Node> {
+        let found = nodes.iter().find(|row| row.dbc == name).map(|row| row.node);
+        if found.is_none() {
+            self.unknown(offset, "[nodes] entry", name, nodes.iter().map(|row| row.dbc.as_str()));
+        }
+        found.into_iter().collect()
+    }
+
+    fn fault(&mut self, at: &Spanned<DeValue<'_>>, sources: &[Node], rows: &mut Vec<Fault>) {
+        let (mut code, mut severity, mut fire, mut zh, mut en) =
+            (0, None, false, String::new(), String::new());
+        for (key, value) in self.table(at) {
+            match key.get_ref().as_ref() {
+                "code" => code = self.number(value, 1..=0xFFFF) as u16,
+                "level" => {
+                    let word = self.text(value);
+                    severity = match word.as_str() {
+                        "warn" => Some(Severity::Warn),
+                        "derate" => Some(Severity::Derate),
+                        "stop" => Some(Severity::Stop),
+                        _ => {
+                            let known = ["warn", "derate", "stop"];
+                            self.unknown(value.span().start, "level", &word, known.into_iter());
+                            None
+                        }
+                    };
+                }
+                "fire" => match value.get_ref() {
+                    DeValue::Boolean(flag) => fire = *flag,
+                    _ => self.wrong(value, "true or false"),
+                },
+                "zh" => zh = self.text(value),
+                "en" => en = self.text(value),
+                other => {
+                    let known = ["code", "level", "fire", "zh", "en"];
+                    self.unknown(key.span().start, "key", other, known.into_iter());
+                }
+            }
+        }
+        if code == 0 || zh.is_empty() || en.is_empty() {
+            self.report.offset(at.span().start, "a fault needs `code`, `zh` and `en`");
+        }
+        for &source in sources {
+            if rows.iter().any(|row| row.source == source && row.code == code) {
+                self.report.offset(at.span().start, format!("code {code} is named twice for this source"));
+            }
+            rows.push(Fault { source, code, severity, fire, zh: zh.clone(), en: en.clone() });
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! Turns a vehicle folder (DBC and `vehicle.toml`) into the Rust of protocol-core.
+//!
+//! Owns the checks of both files and the form of the generated text; the keys of `vehicle.toml` are described in
+//! `vehicles/FORMAT.md`. Deterministic: the same folder gives the same bytes. Refuses to guess: whatever is misspelt,
+//! overlaps, has no unit or no meaning is an error with file and line, and all errors are shown at once.
+
+#![forbid(unsafe_code)]
+
+mod binding;
+mod codec_text;
+mod diagnostics;
+pub mod lint;
+mod meaning;
+mod names;
+mod network;
+mod ratio;
+mod vehicle_text;
+
+pub use diagnostics::{Diagnostic, Diagnostics};
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Folder of the generated files, from the root of the repository.
+pub const GENERATED: &str = "protocol-core/src/generated";
+
+/// One form of expression serves every width and range, and one list of imports every vehicle.
+const MODULE_ATTRIBUTES: &str = "
+#[rustfmt::skip]
+#[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
+";
+
+/// Turns one vehicle into Rust text.
+///
+/// `dbc` and `toml` are name and text of the two files; the names stand in diagnostics.
+///
+/// # Errors
+///
+/// Everything that is wrong with the two files.
+pub fn compile(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<String, Diagnostics> {
+    let network = network::read(dbc.0, dbc.1)?;
+    let binding = binding::read(toml.0, toml.1, &network)?;
+    let mut out = format!(
+        "//! Vehicle `{name}`: {} ({}).\n//!\n//! Generated from `{}` and `{}`; refresh with `cargo xtask codegen`.\n\n",
+        binding.en, binding.zh, dbc.0, toml.0
+    );
+    out.push_str(
+        "use crate::checksum::{Checksum, ChecksumKind};\n\
+         use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalInfo};\n\
+         use crate::frame::CanId;\n\
+         use crate::model::{INVALID, Readings, Severity, Value};\n\
+         use crate::stream::{Bound, Cell, Stream};\n\
+         use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};\n",
+    );
+    codec_text::write(&mut out, &network);
+    vehicle_text::write(&mut out, name, &network, &binding);
+    Ok(out)
+}
+
+/// Returns the vehicles' names: the folders under `vehicles/` that hold `<name>.dbc` and `vehicle.toml`, sorted.
+///
+/// # Errors
+///
+/// If the folder cannot be read, or one of the two files stands alone.
+pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
+    let folder = root.join("vehicles");
+    let entries = fs::read_dir(&folder)
+        .map_err(|error| Diagnostics::one("vehicles", 0, format!("cannot be read: {error}")))?;
+    let mut names = Vec::new();
+    let mut wrong = Diagnostics::default();
+    for entry in entries.flatten().filter(|entry| entry.path().is_dir()) {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let files = [format!("{name}.dbc"), "vehicle.toml".into()];
+        match files.map(|file| entry.path().join(file).is_file()) {
+            [true, true] => names.push(name),
+            [false, false] => {}
+            [dbc, _] => {
+                let file = if dbc { "vehicle.toml".to_string() } else { format!("{name}.dbc") };
+                let message = "is missing: a vehicle needs both files, see vehicles/FORMAT.md";
+                wrong.0.push(Diagnostic {
+                    file: format!("vehicles/{name}/{file}"),
+                    line: 0,
+                    message: message.into(),
+                });
+            }
+        }
+    }
+    names.sort();
+    wrong.or(names)
+}
+
+/// Compiles every vehicle under `root`: paths (from `root`) and texts of all generated files.
+///
+/// # Errors
+///
+/// Everything that is wrong with any vehicle.
+pub fn compile_all(root: &Path) -> Result<Vec<(PathBuf, String)>, Diagnostics> {
+    let names = vehicles(root)?;
+    let mut files = Vec::new();
+    let mut wrong = Diagnostics::default();
+    let mut modules = String::from(
+        "//! The vehicles: one generated module each.\n//!\n//! Refresh with `cargo xtask codegen`.\n",
+    );
+    for name in &names {
+        let read = |file: String| {
+            let text = fs::read_to_string(root.join(&file));
+            text.map(|text| (file.clone(), text))
+                .map_err(|error| Diagnostics::one(&file, 0, error.to_string()))
+        };
+        let compiled = read(format!("vehicles/{name}/{name}.dbc")).and_then(|dbc| {
+            let toml = read(format!("vehicles/{name}/vehicle.toml"))?;
+            compile(name, (&dbc.0, &dbc.1), (&toml.0, &toml.1))
+        });
+        match compiled {
+            Ok(text) => files.push((Path::new(GENERATED).join(format!("{name}.rs")), text)),
+            Err(error) => wrong.0.extend(error.0),
+        }
+        modules.push_str(MODULE_ATTRIBUTES);
+        modules.push_str(&format!("pub mod {name};\n"));
+    }
+    modules.push_str("\n/// Every vehicle, sorted by name.\n#[rustfmt::skip]\n");
+    modules.push_str("pub static VEHICLES: &[&crate::Vehicle] = &[\n");
+    for name in &names {
+        modules.push_str(&format!("    &{name}::VEHICLE,\n"));
+    }
+    modules.push_str(
+        "];\n\n/// Name and messages of every vehicle, sorted by name: for tools.\n#[rustfmt::skip]\n",
+    );
+    modules.push_str("pub static MESSAGES: &[(&str, &[crate::codec::MessageInfo])] = &[\n");
+    for name in &names {
+        modules.push_str(&format!("    ({name:?}, {name}::MESSAGES),\n"));
+    }
+    modules.push_str("];\n");
+    files.push((Path::new(GENERATED).join("mod.rs"), modules));
+    wrong.or(files)
+}
+
+/// Returns the paths of files in the generated folder that no vehicle makes any more.
+fn leftovers(root: &Path, files: &[(PathBuf, String)]) -> Vec<PathBuf> {
+    let entries = fs::read_dir(root.join(GENERATED)).into_iter().flatten().flatten();
+    let mut paths: Vec<PathBuf> = entries.map(|entry| Path::new(GENERATED).join(entry.file_name())).collect();
+    paths.retain(|path| files.iter().all(|(known, _)| known != path));
+    paths.sort();
+    paths
+}
+
+/// Writes the generated files that changed, removes those without a vehicle, and returns their paths.
+///
+/// # Errors
+///
+/// Everything that is wrong with any vehicle (then nothing is written), or the first file that cannot be written.
+pub fn write(root: &Path) -> Result<Vec<PathBuf>, Diagnostics> {
+    let files = compile_all(root)?;
+    let failed = |path: &Path, error: std::io::Error| {
+        Diagnostics::one(&path.to_string_lossy(), 0, format!("cannot be written: {error}"))
+    };
+    let folder = Path::new(GENERATED);
+    fs::create_dir_all(root.join(folder)).map_err(|error| failed(folder, error))?;
+    let mut changed = Vec::new();
+    for (path, text) in &files {
+        if fs::read_to_string(root.join(path)).is_ok_and(|old| old == *text) {
+            continue;
+        }
+        fs::write(root.join(path), text).map_err(|error| failed(path, error))?;
+        changed.push(path.clone());
+    }
+    for path in leftovers(root, &files) {
+        fs::remove_file(root.join(&path)).map_err(|error| failed(&path, error))?;
+        changed.push(path);
+    }
+    Ok(changed)
+}
+
+/// Checks that the generated files are what the vehicles give.
+///
+/// # Errors
+///
+/// Everything that is wrong with any vehicle, or each file that differs, with the command that refreshes it.
+pub fn check(root: &Path) -> Result<(), Diagnostics> {
+    let files = compile_all(root)?;
+    let mut wrong = Diagnostics::default();
+    let mut note = |path: &Path, line, message: &str| {
+        let message = format!("{message}: run `cargo xtask codegen` and commit the result");
+        wrong.0.push(Diagnostic { file: path.to_string_lossy().into_owned(), line, message });
+    };
+    for (path, text) in &files {
+        match fs::read_to_string(root.join(path)) {
+            Ok(old) if old == *text => {}
+            Ok(old) => {
+                let line = old.lines().zip(text.lines()).take_while(|(old, new)| old == new).count() + 1;
+                note(path, line, "differs from what its vehicle gives");
+            }
+            Err(_) => note(path, 0, "is missing"),
+        }
+    }
+    for path in leftovers(root, &files) {
+        note(&path, 0, "belongs to no vehicle");
+    }
+    wrong.or(())
+}

@@ -1,0 +1,90 @@
+//! What model values count in: physical units as fractions, states as words.
+
+use crate::ratio::Ratio;
+use protocol_core::checksum::ChecksumKind;
+use protocol_core::model::{Unit, Value};
+use protocol_core::vehicle::Node;
+
+/// Returns how many counts of `unit` one `dbc_unit` is, `None` if they do not measure the same thing.
+pub(crate) fn counts_per(unit: Unit, dbc_unit: &str) -> Option<Ratio> {
+    let (num, den) = match (unit, dbc_unit) {
+        (Unit::Count, _) => (1, 1),
+        (Unit::Kmh256, "km/h") => (256, 1),
+        (Unit::Km8, "km") => (8, 1),
+        (Unit::Permille, "%") => (10, 1),
+        (Unit::Decivolt, "V") => (10, 1),
+        (Unit::Millivolt, "V") => (1000, 1),
+        (Unit::Decivolt, "mV") => (1, 100),
+        (Unit::Millivolt, "mV") => (1, 1),
+        (Unit::Deciamp, "A") => (10, 1),
+        (Unit::DeciNm, "Nm" | "N.m") => (10, 1),
+        (Unit::Rpm, "rpm" | "r/min") => (1, 1),
+        (Unit::Celsius, "°C" | "degC") => (1, 1),
+        (Unit::Kiloohm, "kohm" | "kOhm" | "kΩ") => (1, 1),
+        (Unit::Ah, "Ah") => (1, 1),
+        (Unit::CentiMpa, "MPa") => (100, 1),
+        (Unit::CentiMpa, "bar" | "Bar") => (10, 1),
+        (Unit::CentiMpa, "kPa") => (1, 10),
+        (Unit::Kilopascal, "kPa") => (1, 1),
+        (Unit::Kilopascal, "bar" | "Bar") => (100, 1),
+        (Unit::Kilopascal, "MPa") => (1000, 1),
+        (Unit::Watt, "W") => (1, 1),
+        (Unit::Watt, "kW") => (1000, 1),
+        (Unit::Hertz, "Hz") => (1, 1),
+        (Unit::Day, "d") => (1, 1),
+        _ => return None,
+    };
+    Some(Ratio::new(num, den))
+}
+
+/// Returns the words of a unit of states; empty for a unit of numbers.
+pub(crate) fn words(unit: Unit) -> &'static [(&'static str, i32)] {
+    match unit {
+        Unit::Flag => &[("no", 0), ("yes", 1)],
+        Unit::Severity => &[("none", 0), ("warn", 1), ("derate", 2), ("stop", 3)],
+        Unit::Gear => &[
+            ("D", 1),
+            ("R", 2),
+            ("N", 3),
+            ("P", 4),
+            ("D1", 11),
+            ("D2", 12),
+            ("D3", 13),
+            ("D4", 14),
+            ("D5", 15),
+            ("D6", 16),
+        ],
+        Unit::Contactor => &[("open", 0), ("closed", 1), ("welded", 2), ("fault", 3)],
+        Unit::Run => &[("stopped", 0), ("running", 1), ("fault", 2)],
+        Unit::Charge => &[("idle", 0), ("charging", 1), ("complete", 2), ("fault", 3)],
+        Unit::Key => &[("lock", 0), ("acc", 1), ("on", 2), ("start", 3)],
+        _ => &[],
+    }
+}
+
+/// Returns the name of the variant of `Value`.
+pub(crate) fn variant(value: Value) -> String {
+    format!("{value:?}")
+}
+
+/// Every node with its name in `vehicle.toml`.
+pub(crate) const NODES: [(&str, Node); 11] = [
+    ("vcu", Node::Vcu),
+    ("mcu", Node::Mcu),
+    ("bms", Node::Bms),
+    ("dcdc", Node::Dcdc),
+    ("steering", Node::Steering),
+    ("compressor", Node::Compressor),
+    ("hvac", Node::Hvac),
+    ("insulation", Node::Insulation),
+    ("charger", Node::Charger),
+    ("contactors", Node::Contactors),
+    ("cluster", Node::Cluster),
+];
+
+/// Every kind of checksum with its name in `vehicle.toml`.
+pub(crate) const CHECKSUMS: [(&str, ChecksumKind); 3] = [
+    ("crc8_sae_j1850", ChecksumKind::Crc8SaeJ1850),
+    ("sum8", ChecksumKind::Sum8),
+    ("xor8", ChecksumKind::Xor8),
+];

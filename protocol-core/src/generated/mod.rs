@@ -1,0 +1,37 @@
+//! The vehicles: one generated module each.
+//!
+//! Refresh with `cargo xtask codegen`.
+
+#[rustfmt::skip]
+#[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
+pub mod bus;
+
+#[rustfmt::skip]
+#[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
+pub mod c5ev;
+
+#[rustfmt::skip]
+#[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
+pub mod example;
+
+#[rustfmt::skip]
+#[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
+pub mod jiulong;
+
+/// Every vehicle, sorted by name.
+#[rustfmt::skip]
+pub static VEHICLES: &[&crate::Vehicle] = &[
+    &bus::VEHICLE,
+    &c5ev::VEHICLE,
+    &example::VEHICLE,
+    &jiulong::VEHICLE,
+];
+
+/// Name and messages of every vehicle, sorted by name: for tools.
+#[rustfmt::skip]
+pub static MESSAGES: &[(&str, &[crate::codec::MessageInfo])] = &[
+    ("bus", bus::MESSAGES),
+    ("c5ev", c5ev::MESSAGES),
+    ("example", example::MESSAGES),
+    ("jiulong", jiulong::MESSAGES),
+];

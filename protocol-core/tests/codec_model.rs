@@ -1,0 +1,131 @@
+//! Every plain line `path = "signal"` of every `vehicle.toml`, over all raw values of up to 16 bits.
+//!
+//! What the decoder stores must be the signal's physical value in the unit of the path, rounded down. The lines are read
+//! here by plain text search and the units by a table of their own, not by the compiler.
+
+use protocol_core::codec::{MessageInfo, Mux, SignalInfo};
+use protocol_core::generated::{MESSAGES, VEHICLES};
+use protocol_core::model::{Reading, Readings, Unit, Value};
+use protocol_core::vehicle::Vehicle;
+use std::path::Path;
+
+/// Returns how many model counts one unit of the DBC is, as a fraction; `None` for states.
+fn counts(unit: Unit, dbc: &str) -> Option<(i64, i64)> {
+    let pascal = |unit: &str| match unit {
+        "MPa" => 1_000,
+        "bar" => 100,
+        "kPa" => 1,
+        other => panic!("{other} is no pressure"),
+    };
+    let (needed, counts) = match unit {
+        Unit::Count => return Some((1, 1)),
+        Unit::Kmh256 => ("km/h", 256),
+        Unit::Km8 => ("km", 8),
+        Unit::Permille => ("%", 10),
+        Unit::Decivolt => ("V", 10),
+        Unit::Millivolt if dbc == "mV" => ("mV", 1),
+        Unit::Millivolt => ("V", 1000),
+        Unit::Deciamp => ("A", 10),
+        Unit::DeciNm => ("Nm", 10),
+        Unit::Rpm => ("rpm", 1),
+        Unit::Celsius => ("°C", 1),
+        Unit::Kiloohm => ("kohm", 1),
+        Unit::Ah => ("Ah", 1),
+        Unit::Watt => ("kW", 1000),
+        Unit::Day => ("d", 1),
+        Unit::CentiMpa => return Some((pascal(dbc), 10)),
+        Unit::Kilopascal => return Some((pascal(dbc), 1)),
+        _ => return None,
+    };
+    assert_eq!(needed, dbc, "{unit:?}");
+    Some((counts, 1))
+}
+
+fn expected(signal: &SignalInfo, unit: Unit, raw: i64, magnitude: bool) -> Option<Option<i32>> {
+    let Some((num, den)) = counts(unit, signal.unit) else {
+        let one_bit = unit == Unit::Flag && signal.length == 1;
+        return one_bit.then_some(Some(raw as i32));
+    };
+    Some(signal.physical(raw).map(|physical| {
+        let number = (physical * num).div_euclid(den * i64::from(signal.scale.den));
+        let number = i32::try_from(number).expect("a model number");
+        if magnitude { number.abs() } else { number }
+    }))
+}
+
+/// Returns how many raw values were compared for one line; 0 = not a plain one.
+fn compare(vehicle: &Vehicle, message: &MessageInfo, path: &str, text: &str) -> u64 {
+    let magnitude = text.contains("magnitude = true");
+    let name = match text.strip_prefix("{ signal = \"") {
+        Some(rest) if magnitude => rest.split('"').next(),
+        _ => text.strip_prefix('"').and_then(|rest| rest.split('"').next()),
+    };
+    let Some(value) = Value::from_path(path) else { return 0 };
+    let (Some(name), Some(index)) = (name, vehicle.index_of(message.id)) else { return 0 };
+    let signal = message.signal(name).expect("a signal of the message");
+    let selector = message.signals.iter().find(|signal| signal.mux == Mux::Selector);
+    let mut met = 0;
+    for raw in 0..1i64 << signal.length.min(16) {
+        let mut data = [0x5A; 8];
+        if let (Mux::When(page), Some(selector)) = (signal.mux, selector) {
+            selector.set_raw(&mut data, i64::from(page));
+        }
+        signal.set_raw(&mut data, raw);
+        if let (Mux::When(page), Some(selector)) = (signal.mux, selector) {
+            untouched_by_other_pages(vehicle, index, data, (selector, page), value);
+        }
+        let mut readings = Readings::new();
+        (vehicle.decode)(index, &data, &mut readings);
+        let read = match readings.get(value) {
+            Some((Reading::Valid(number), source)) if source == index => Some(number),
+            Some((Reading::Invalid, source)) if source == index => None,
+            other => panic!("{path} is not stored by {}: {other:?}", message.name),
+        };
+        let Some(expected) = expected(signal, value.unit(), signal.raw(&data), magnitude) else { return 0 };
+        assert_eq!(read, expected, "{}: {path} from {}.{name}, raw {raw}", vehicle.name, message.name);
+        met += 1;
+    }
+    met
+}
+
+/// A multiplexed value is read from its own page only.
+fn untouched_by_other_pages(
+    vehicle: &Vehicle,
+    index: u8,
+    data: [u8; 8],
+    (selector, page): (&SignalInfo, u32),
+    value: Value,
+) {
+    for other in (0..1i64 << selector.length).filter(|other| *other != i64::from(page)) {
+        let mut data = data;
+        selector.set_raw(&mut data, other);
+        let mut readings = Readings::new();
+        (vehicle.decode)(index, &data, &mut readings);
+        assert_eq!(readings.get(value), None, "{} in page {other} of {}", value.path(), vehicle.name);
+    }
+}
+
+#[test]
+fn every_plainly_bound_value_is_the_physical_value_in_the_models_unit() {
+    let (mut lines, mut values) = (0, 0);
+    for vehicle in VEHICLES {
+        let path =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../vehicles/{}/vehicle.toml", vehicle.name));
+        let text = std::fs::read_to_string(path).expect("vehicle.toml is there");
+        let messages = MESSAGES.iter().find(|(name, _)| *name == vehicle.name).expect("its messages").1;
+        let mut message = None;
+        for line in text.lines() {
+            if let Some(section) = line.strip_prefix('[').and_then(|rest| rest.split(']').next()) {
+                let name = section.strip_prefix("rx.");
+                message = messages.iter().find(|message| Some(message.name) == name);
+            }
+            if let (Some(message), Some((path, text))) = (message, line.split_once(" = ")) {
+                let met = compare(vehicle, message, path, text);
+                lines += u64::from(met > 0);
+                values += met;
+            }
+        }
+    }
+    println!("{lines} lines, {values} raw values");
+    assert!(lines > 120 && values > 1_000_000, "only {lines} lines with {values} raw values were met");
+}
