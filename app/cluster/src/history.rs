@@ -1,0 +1,242 @@
+//! What went wrong since power-on: a ring of faults with a fixed record for whoever keeps them.
+//!
+//! A fault that returns is counted, not listed twice, as long as its entry is still in the ring. The oldest entry makes
+//! room for a new one. Refuses to know where records are kept and what a code means.
+
+use heapless::Deque;
+use protocol_core::Millis;
+use protocol_core::model::Severity;
+
+/// Faults that are remembered.
+pub const HISTORY: usize = 32;
+
+/// Bytes of one entry as it is kept.
+pub const ENTRY_BYTES: usize = 16;
+
+macro_rules! sources {
+    ($($(#[$doc:meta])* $name:ident $number:literal;)*) => {
+        /// Where a fault comes from; its number is kept for ever and never given to another source.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(u8)]
+        pub enum Source { $($(#[$doc])* $name = $number),* }
+
+        impl Source {
+            /// Every source.
+            pub const ALL: &'static [Self] = &[$(Self::$name),*];
+        }
+    };
+}
+
+sources! {
+    /// Level of the vehicle controller.
+    VehicleLevel 1;
+    /// Code of the vehicle controller.
+    VehicleCode 2;
+    /// Level that the vehicle controller gives its own state.
+    ControllerLevel 3;
+    /// System fault bit of a vehicle without levels.
+    VehicleFault 4;
+    /// The battery asks for high voltage off.
+    HvOff 5;
+    /// Level and code of the battery.
+    Battery 6;
+    /// Alarm bit of the battery.
+    BatteryAlarm 7;
+    /// Battery fault bit of a vehicle without levels.
+    BatteryFault 8;
+    /// Smoke in the battery.
+    BatterySmoke 9;
+    /// Level and code of the motor system.
+    Motor 10;
+    /// Alarm bit of the motor controller.
+    MotorAlarm 11;
+    /// Fault state of the motor controller.
+    MotorController 12;
+    /// Level and code of the insulation monitor.
+    Insulation 13;
+    /// Insulation fault bit of a vehicle without levels.
+    InsulationFault 14;
+    /// The insulation monitor itself.
+    InsulationDevice 15;
+    /// The cluster's own smoke detector.
+    Smoke 16;
+    /// Steering pump.
+    Steering 17;
+    /// DC/DC converter.
+    Dcdc 18;
+    /// Air compressor.
+    Compressor 19;
+    /// Air compressor too hot.
+    CompressorHot 20;
+    /// Level and code of the charger.
+    Charger 21;
+    /// Fault bit of a charger.
+    ChargerFault 22;
+    /// The charger has fallen silent while plugged in.
+    ChargerLost 23;
+    /// Anti-lock brake.
+    BrakeAbs 24;
+    /// Brake force distribution.
+    BrakeEbd 25;
+    /// Brake vacuum.
+    BrakeVacuum 26;
+    /// Cooling.
+    Cooling 27;
+    /// Low-voltage supply.
+    Supply 28;
+    /// Air conditioning.
+    Hvac 29;
+    /// The air conditioning has lost its link.
+    HvacLost 30;
+    /// Limp mode.
+    Limp 31;
+    /// Drive power is limited.
+    PowerLimit 32;
+    /// Drive torque is limited.
+    TorqueLimit 33;
+    /// No communication with the vehicle controller.
+    SilentVcu 64;
+    /// No communication with the motor controller.
+    SilentMcu 65;
+    /// No communication with the battery.
+    SilentBms 66;
+    /// No communication with the DC/DC converter.
+    SilentDcdc 67;
+    /// No communication with the steering pump.
+    SilentSteering 68;
+    /// No communication with the air compressor.
+    SilentCompressor 69;
+    /// No communication with the air conditioning.
+    SilentHvac 70;
+    /// No communication with the insulation monitor.
+    SilentInsulation 71;
+    /// No communication with the charger.
+    SilentCharger 72;
+    /// No communication with the contactor box.
+    SilentContactors 73;
+}
+
+impl Source {
+    /// Returns the number that stands in records.
+    pub const fn number(self) -> u8 {
+        self as u8
+    }
+
+    /// Returns the source of a number in a record.
+    pub fn from_number(number: u8) -> Option<Self> {
+        Self::ALL.iter().copied().find(|source| source.number() == number)
+    }
+}
+
+/// One fault of the past.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Where it came from.
+    pub source: Source,
+    /// Its code; for alarm bits the number of the bit, from 1.
+    pub code: Option<u16>,
+    /// The worst that it has been.
+    pub severity: Severity,
+    /// When it was first seen, since power-on.
+    pub first: Millis,
+    /// When it came last, since power-on.
+    pub last: Millis,
+    /// How often it came, at least 1; stays at its largest value.
+    pub count: u16,
+}
+
+impl Entry {
+    /// Returns the record of the entry.
+    ///
+    /// | bytes    | what                                           |
+    /// |----------|------------------------------------------------|
+    /// | 0        | [`Source::number`]                             |
+    /// | 1        | severity: 0 information, 1 warn, 2 derate, 3 stop |
+    /// | 2 to 3   | code, low byte first, 0 = none                 |
+    /// | 4 to 5   | count, low byte first                          |
+    /// | 6 to 10  | first seen, milliseconds, low byte first       |
+    /// | 11 to 15 | came last, milliseconds, low byte first        |
+    pub fn to_bytes(&self) -> [u8; ENTRY_BYTES] {
+        let [code_low, code_high] = self.code.unwrap_or(0).to_le_bytes();
+        let [count_low, count_high] = self.count.to_le_bytes();
+        let [a, b, c, d, e] = time_to_bytes(self.first);
+        let [f, g, h, i, j] = time_to_bytes(self.last);
+        let (source, severity) = (self.source.number(), self.severity as u8);
+        [source, severity, code_low, code_high, count_low, count_high, a, b, c, d, e, f, g, h, i, j]
+    }
+
+    /// Returns the entry of a record; `None` = it is none.
+    pub fn from_bytes(bytes: &[u8; ENTRY_BYTES]) -> Option<Self> {
+        let [source, severity, code_low, code_high, count_low, count_high, a, b, c, d, e, f, g, h, i, j] =
+            *bytes;
+        let code = u16::from_le_bytes([code_low, code_high]);
+        let count = u16::from_le_bytes([count_low, count_high]);
+        Some(Self {
+            source: Source::from_number(source)?,
+            code: (code != 0).then_some(code),
+            severity: (severity <= Severity::Stop as u8).then(|| Severity::from_model(severity.into()))?,
+            first: time_from_bytes([a, b, c, d, e]),
+            last: time_from_bytes([f, g, h, i, j]),
+            count: (count != 0).then_some(count)?,
+        })
+    }
+}
+
+/// 40 bits last for 34 years.
+fn time_to_bytes(time: Millis) -> [u8; 5] {
+    let [a, b, c, d, e, ..] = time.0.min((1 << 40) - 1).to_le_bytes();
+    [a, b, c, d, e]
+}
+
+fn time_from_bytes([a, b, c, d, e]: [u8; 5]) -> Millis {
+    Millis(u64::from_le_bytes([a, b, c, d, e, 0, 0, 0]))
+}
+
+/// The last faults, the one that came first at the front.
+#[derive(Clone)]
+pub(crate) struct History {
+    entries: Deque<Entry, HISTORY>,
+}
+
+impl History {
+    pub(crate) const fn new() -> Self {
+        Self { entries: Deque::new() }
+    }
+
+    /// Notes that a fault has come.
+    pub(crate) fn came(&mut self, source: Source, code: Option<u16>, severity: Severity, now: Millis) {
+        if let Some(entry) = self.find_mut(source, code) {
+            entry.count = entry.count.saturating_add(1);
+            entry.last = now;
+            entry.severity = entry.severity.max(severity);
+            return;
+        }
+        if self.entries.is_full() {
+            self.entries.pop_front();
+        }
+        let entry = Entry { source, code, severity, first: now, last: now, count: 1 };
+        // Cannot fail: there is room now.
+        let _ = self.entries.push_back(entry);
+    }
+
+    /// Notes how bad a fault has become that is still there.
+    pub(crate) fn worsened(&mut self, source: Source, code: Option<u16>, severity: Severity) {
+        if let Some(entry) = self.find_mut(source, code) {
+            entry.severity = entry.severity.max(severity);
+        }
+    }
+
+    fn find_mut(&mut self, source: Source, code: Option<u16>) -> Option<&mut Entry> {
+        self.entries.iter_mut().find(|entry| (entry.source, entry.code) == (source, code))
+    }
+
+    /// Returns the entry of a fault.
+    pub(crate) fn find(&self, source: Source, code: Option<u16>) -> Option<&Entry> {
+        self.entries.iter().find(|entry| (entry.source, entry.code) == (source, code))
+    }
+
+    /// Returns the entries, the one that came first at the front.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &Entry> {
+        self.entries.iter()
+    }
+}

@@ -1,0 +1,47 @@
+//! What an instrument knows: state, freshness, faults, telltales, what to send.
+//!
+//! Pure logic between frames and pixels: frames, inputs and the time go in, a [`View`], a [`Chime`] and frames to send
+//! come out. No hardware, no clock, no allocation, no identifiers: vehicles are tables in `protocol-core`.
+//!
+//! Where a rule lives: `sources` (what puts a line on the screen), `lamps` (telltales), `chime` (sounds), `inputs` (own
+//! wires), `texts` (all words), each a table; `hv_off`, `limp`, `charger`, `hvac`, `buzzer`, `reverse` (timing), each a
+//! small machine.
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+mod buzzer;
+mod charger;
+pub mod chime;
+mod cluster;
+mod debounce;
+pub mod detect;
+mod faults;
+pub mod history;
+mod hv_off;
+mod hvac;
+pub mod inputs;
+mod lamps;
+mod limp;
+mod odometer;
+mod reception;
+mod reverse;
+mod settings;
+mod sources;
+pub mod telltale;
+pub mod texts;
+mod timers;
+mod transmit;
+mod trip;
+pub mod view;
+
+pub use chime::{Chime, Sound};
+pub use cluster::Cluster;
+pub use history::{Entry, Source};
+pub use inputs::{Button, Buttons, Doors, Inputs, Key, Lights};
+pub use reception::{Counters, MAX_MESSAGES, Received};
+pub use telltale::{Lamp, Telltale, Telltales};
+pub use timers::Options;
+pub use transmit::MAX_SENT;
+pub use trip::Trip;
+pub use view::View;

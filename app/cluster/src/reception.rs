@@ -1,0 +1,308 @@
+//! What came in and how long ago: the receive table's living half.
+//!
+//! Owns the readings, the last sign of life of every message and the receive counters. A life counter that stands
+//! still is silence, however many frames arrive. What a stream says gives way to any message that says it too.
+//! Refuses to know what a value means.
+//! Source: BUS-11 (all bits of the identifier), BUS-108 (time-outs), BUS-R061 and BUS-63 (life counters).
+
+use crate::hvac;
+use crate::limp::Link;
+use crate::timers::Timers;
+use protocol_core::model::{Reading, Readings, Shown, Value};
+use protocol_core::stream::{Stream, Streams};
+use protocol_core::vehicle::{Node, RxMessage, Vehicle};
+use protocol_core::{CanFrame, Millis};
+
+/// Most messages that a vehicle's receive table may have.
+pub const MAX_MESSAGES: usize = 64;
+
+const NODES: usize = Node::Cluster as usize + 1;
+
+/// What became of a received frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Received {
+    /// Its values are stored.
+    Stored,
+    /// The vehicle's table does not have its identifier; nothing changed.
+    Unknown,
+    /// It has fewer bytes than its message; nothing changed.
+    TooShort,
+    /// Its check byte is wrong; nothing changed.
+    Damaged,
+}
+
+/// What was received since power-on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Frames whose values were stored.
+    pub stored: u32,
+    /// Frames with an identifier that the vehicle's table does not have.
+    pub unknown: u32,
+    /// Frames with fewer bytes than their message.
+    pub too_short: u32,
+    /// Frames with a wrong check byte.
+    pub damaged: u32,
+    last_seen: [Option<Millis>; NODES],
+}
+
+impl Counters {
+    /// Returns when `node` gave its last sign of life.
+    pub fn last_seen(&self, node: Node) -> Option<Millis> {
+        self.last_seen.get(node as usize).copied().flatten()
+    }
+}
+
+/// The last sign of life of one message.
+#[derive(Clone, Copy)]
+struct Sign {
+    /// [`NEVER`] = none yet.
+    at: Millis,
+    life: u8,
+}
+
+const NEVER: Millis = Millis(u64::MAX);
+
+/// The readings and the signs of life of all messages.
+#[derive(Clone)]
+pub(crate) struct Reception {
+    pub(crate) readings: Readings,
+    signs: [Sign; MAX_MESSAGES],
+    stored: u32,
+    unknown: u32,
+    too_short: u32,
+    damaged: u32,
+    streams: Streams,
+}
+
+impl Reception {
+    pub(crate) const fn new() -> Self {
+        Self {
+            readings: Readings::new(),
+            signs: [Sign { at: NEVER, life: 0 }; MAX_MESSAGES],
+            stored: 0,
+            unknown: 0,
+            too_short: 0,
+            damaged: 0,
+            streams: Streams::new(),
+        }
+    }
+
+    /// Stores the values of `frame`.
+    pub(crate) fn receive(&mut self, vehicle: &Vehicle, frame: &CanFrame, now: Millis) -> Received {
+        let stream = vehicle.stream_of(frame.id);
+        let row = row_of(vehicle, frame);
+        let Some(len) = row.map(|(_, message)| message.len).or(stream.map(|(stream, _)| stream.len)) else {
+            self.unknown = self.unknown.wrapping_add(1);
+            return Received::Unknown;
+        };
+        if frame.len() < len {
+            self.too_short = self.too_short.wrapping_add(1);
+            return Received::TooShort;
+        }
+        let checksum = row.and_then(|(_, message)| message.checksum);
+        if checksum.is_some_and(|checksum| !checksum.holds(frame.padded())) {
+            self.damaged = self.damaged.wrapping_add(1);
+            return Received::Damaged;
+        }
+        if let Some((index, message)) = row {
+            self.store(vehicle, index, message, frame, now);
+        }
+        if let Some((stream, index)) = stream {
+            self.streams.store(stream, index, frame.padded());
+            self.sum_up(vehicle, stream, now);
+        }
+        self.stored = self.stored.wrapping_add(1);
+        Received::Stored
+    }
+
+    /// Stores the values of a message and its sign of life.
+    fn store(&mut self, vehicle: &Vehicle, index: u8, message: &RxMessage, frame: &CanFrame, now: Millis) {
+        (vehicle.decode)(index, frame.padded(), &mut self.readings);
+        if let Some(sign) = self.signs.get_mut(usize::from(index)) {
+            let life = message.life.map(|life| {
+                let byte = frame.padded().get(usize::from(life.byte)).copied().unwrap_or(0);
+                byte & life.mask
+            });
+            if life.is_none_or(|life| life != sign.life) || sign.at == NEVER {
+                *sign = Sign { at: now, life: life.unwrap_or(0) };
+            }
+        }
+    }
+
+    /// Files what a stream says under the values that no other message brings.
+    fn sum_up(&mut self, vehicle: &Vehicle, stream: &Stream, now: Millis) {
+        if self.is_silent(vehicle, usize::from(stream.row), now) {
+            return;
+        }
+        for (value, reading) in self.streams.summary(stream).readings(&stream.bound) {
+            let is_free = match self.readings.get(value) {
+                Some((_, source)) if source == stream.row => true,
+                _ => matches!(self.shown(vehicle, value, now), Shown::Never | Shown::Stale),
+            };
+            if is_free {
+                self.readings.set(stream.row, value, reading);
+            }
+        }
+    }
+
+    /// Returns every cell of the stream of this name, raw, with its number.
+    pub(crate) fn cells(&self, vehicle: &Vehicle, stream: &str) -> impl Iterator<Item = (u16, u8)> {
+        let stream = vehicle.streams.iter().find(|known| known.name == stream);
+        stream.into_iter().flat_map(|stream| self.streams.cells(stream))
+    }
+
+    /// Returns what may be shown of `value`.
+    pub(crate) fn shown(&self, vehicle: &Vehicle, value: Value, now: Millis) -> Shown<i32> {
+        let Some((reading, source)) = self.readings.get(value) else {
+            return Shown::Never;
+        };
+        if source != Readings::LOCAL && self.is_silent(vehicle, usize::from(source), now) {
+            return Shown::Stale;
+        }
+        match reading {
+            Reading::Valid(number) => Shown::Value(number),
+            Reading::Invalid => Shown::Invalid,
+        }
+    }
+
+    /// Returns the last number of `value`, however old.
+    pub(crate) fn last_known(&self, value: Value) -> Option<i32> {
+        match self.readings.get(value)? {
+            (Reading::Valid(number), _) => Some(number),
+            (Reading::Invalid, _) => None,
+        }
+    }
+
+    /// Returns whether message `index` has gone without a sign of life for its time-out.
+    fn is_silent(&self, vehicle: &Vehicle, index: usize, now: Millis) -> bool {
+        match (self.signs.get(index), vehicle.rx.get(index)) {
+            (Some(sign), Some(message)) => {
+                sign.at == NEVER || now.since(sign.at) >= u64::from(message.timeout_ms)
+            }
+            _ => true,
+        }
+    }
+
+    /// Returns when `node` gave its last sign of life.
+    pub(crate) fn last_sign(&self, vehicle: &Vehicle, node: Node) -> Option<Millis> {
+        let of_node = vehicle.rx.iter().zip(&self.signs).filter(|(message, _)| message.node == node);
+        of_node.map(|(_, sign)| sign.at).filter(|&at| at != NEVER).max()
+    }
+
+    /// Returns the nodes of which an expected message is missing.
+    ///
+    /// A message that has never come counts from `started`, and not before `grace_ms` have passed: nodes need time to
+    /// boot.
+    pub(crate) fn silent_nodes(
+        &self,
+        vehicle: &Vehicle,
+        started: Millis,
+        grace_ms: u64,
+        now: Millis,
+    ) -> Nodes {
+        let mut silent = Nodes::NONE;
+        for (message, sign) in vehicle.rx.iter().zip(&self.signs).filter(|(message, _)| message.expected) {
+            let timeout_ms = u64::from(message.timeout_ms);
+            let missing = match sign.at {
+                NEVER => now.since(started) >= timeout_ms.max(grace_ms),
+                at => now.since(at) >= timeout_ms,
+            };
+            if missing {
+                silent.add(message.node);
+            }
+        }
+        silent
+    }
+
+    /// Returns what was received so far.
+    pub(crate) fn counters(&self, vehicle: &Vehicle) -> Counters {
+        let mut last_seen = [None; NODES];
+        for message in vehicle.rx {
+            if let Some(last) = last_seen.get_mut(message.node as usize) {
+                *last = self.last_sign(vehicle, message.node);
+            }
+        }
+        Counters {
+            stored: self.stored,
+            unknown: self.unknown,
+            too_short: self.too_short,
+            damaged: self.damaged,
+            last_seen,
+        }
+    }
+}
+
+fn row_of<'a>(vehicle: &'a Vehicle, frame: &CanFrame) -> Option<(u8, &'a RxMessage)> {
+    let index = vehicle.index_of(frame.id)?;
+    Some((index, vehicle.rx.get(usize::from(index))?))
+}
+
+/// A set of nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Nodes(u16);
+
+impl Nodes {
+    pub(crate) const NONE: Self = Self(0);
+
+    fn add(&mut self, node: Node) {
+        self.0 |= 1 << node as u8;
+    }
+
+    pub(crate) fn has(self, node: Node) -> bool {
+        self.0 >> node as u8 & 1 != 0
+    }
+
+    pub(crate) fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+}
+
+/// Everything that the tables of lamps and faults may ask.
+#[derive(Clone, Copy)]
+pub(crate) struct Facts<'a> {
+    pub(crate) vehicle: &'static Vehicle,
+    pub(crate) reception: &'a Reception,
+    pub(crate) timers: &'a Timers,
+    /// Nodes of which an expected message is missing.
+    pub(crate) silent: Nodes,
+    pub(crate) started: Millis,
+    pub(crate) now: Millis,
+}
+
+impl Facts<'_> {
+    /// Returns what may be shown of `value`.
+    pub(crate) fn shown(&self, value: Value) -> Shown<i32> {
+        self.reception.shown(self.vehicle, value, self.now)
+    }
+
+    /// Returns the last number of `value`, however old: for what does not change, and for what silence leaves as it
+    /// was.
+    pub(crate) fn last_known(&self, value: Value) -> Option<i32> {
+        self.reception.last_known(value)
+    }
+
+    /// Returns whether the vehicle has sent `value` since power-on.
+    pub(crate) fn is_sent(&self, value: Value) -> bool {
+        self.reception.readings.get(value).is_some_and(|(_, source)| source != Readings::LOCAL)
+    }
+
+    /// Returns how long ago `node` gave its last sign of life, in milliseconds; never = since the start.
+    fn silence_ms(&self, node: Node) -> u64 {
+        self.now.since(self.reception.last_sign(self.vehicle, node).unwrap_or(self.started))
+    }
+
+    /// Returns what is known of the link between battery and vehicle controller.
+    pub(crate) fn link(&self) -> Link {
+        Link {
+            battery_silent_ms: self.silent.has(Node::Bms).then(|| self.silence_ms(Node::Bms)),
+            vehicle_silent: self.silent.has(Node::Vcu),
+            mode: self.shown(Value::VehicleMode).value(),
+        }
+    }
+
+    /// Returns whether the loss of a running air conditioning is to be told.
+    pub(crate) fn has_lost_hvac(&self) -> bool {
+        let was_running = self.last_known(Value::HvacOn) == Some(1);
+        hvac::is_lost(self.timers.options.hvac_alarm, was_running, self.silence_ms(Node::Hvac))
+    }
+}

@@ -1,0 +1,42 @@
+//! The timing machines: who is due when.
+//!
+//! Owns one of each that has a memory and feeds them; each is a module of its own with its rules.
+
+use crate::buzzer::Buzzer;
+use crate::charger::Charger;
+use crate::hv_off::HvOff;
+use crate::reception::Reception;
+use protocol_core::Millis;
+use protocol_core::model::Value;
+use protocol_core::vehicle::{Node, Vehicle};
+
+/// What a workshop may switch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Tells that a running air conditioning has lost its link (BUS-23: off by default).
+    pub hvac_alarm: bool,
+}
+
+/// One of each machine.
+#[derive(Clone)]
+pub(crate) struct Timers {
+    pub(crate) options: Options,
+    pub(crate) hv_off: HvOff,
+    pub(crate) charger: Charger,
+    pub(crate) buzzer: Buzzer,
+}
+
+impl Timers {
+    pub(crate) const fn new() -> Self {
+        let options = Options { hvac_alarm: false };
+        Self { options, hv_off: HvOff::new(), charger: Charger::new(), buzzer: Buzzer::new() }
+    }
+
+    /// Feeds the machines with what is known now; to be called after every frame and every tick.
+    pub(crate) fn observe(&mut self, vehicle: &Vehicle, reception: &Reception, now: Millis) {
+        let shown = |value| reception.shown(vehicle, value, now);
+        self.hv_off.observe(shown(Value::BatteryHvOffRequest), shown(Value::ContactorMain), now);
+        self.charger.observe(shown(Value::ChargePlug), reception.last_sign(vehicle, Node::Charger), now);
+        self.buzzer.observe(shown(Value::VehicleBuzzer), now);
+    }
+}

@@ -1,0 +1,10 @@
+//! Any value of the model, from any node: what a rule makes of it, without a vehicle's codecs.
+
+mod history;
+mod lamps;
+mod sources;
+mod timing;
+mod trips;
+
+/// A vehicle that can say everything.
+mod probe;

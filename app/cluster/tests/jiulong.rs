@@ -1,0 +1,233 @@
+//! The cluster on jiulong's bus: bytes as the document prints them, written by hand.
+
+use cluster::{Cluster, Inputs, Sound, Telltale};
+use protocol_core::generated::jiulong::VEHICLE;
+use protocol_core::model::{Gear, Severity, Shown};
+use protocol_core::{CanFrame, CanId, Millis};
+
+const VCU1: u32 = 0x1802_28D0;
+const VCU2: u32 = 0x1803_28D0;
+const VCU3: u32 = 0x1804_28D0;
+const STATUS: u32 = 0x1802_28F3;
+const FAULTS: u32 = 0x181B_28F3;
+const TO_VEHICLE: u32 = 0x1800_D028;
+const UPGRADE_VEHICLE: u32 = 0x1801_D028;
+const UPGRADE_BATTERY: u32 = 0x1800_F328;
+
+struct Ride {
+    cluster: Cluster,
+    inputs: Inputs,
+    now: Millis,
+    sent: Vec<(u64, CanFrame)>,
+}
+
+impl Ride {
+    /// A cluster after its bulb check, on a bus on which nothing has been heard yet.
+    fn new() -> Self {
+        let cluster = Cluster::new(&VEHICLE);
+        let mut ride = Self { cluster, inputs: Inputs::default(), now: Millis(0), sent: Vec::new() };
+        ride.run(3_000);
+        ride
+    }
+
+    fn run(&mut self, ms: u64) {
+        for _ in 0..ms / 10 {
+            self.cluster.tick(&self.inputs, self.now);
+            while let Some(frame) = self.cluster.transmit(self.now) {
+                self.sent.push((self.now.0, frame));
+            }
+            self.now = self.now.after(10);
+        }
+    }
+
+    fn receive(&mut self, id: u32, data: [u8; 8]) {
+        self.cluster.receive(&CanFrame::full(CanId::extended(id), data), self.now);
+    }
+
+    fn texts(&self) -> Vec<(&'static str, Severity)> {
+        let faults = self.cluster.active_faults(self.now);
+        faults.map(|fault| (fault.text.en, fault.severity)).collect()
+    }
+
+    /// What was last sent.
+    fn last(&self, id: u32) -> [u8; 8] {
+        let id = CanId::extended(id);
+        *self.sent.iter().rfind(|(_, frame)| frame.id == id).expect("it is sent").1.padded()
+    }
+}
+
+/// VCU3 at a whole km/h, motor speed 0, no alarm.
+fn speed(kmh: u8) -> [u8; 8] {
+    [kmh, 0, 100, 0x3A, 0x98, 0, 0, 0]
+}
+
+#[test]
+fn jl_r013_level_1_is_the_worst_level_and_level_3_the_mildest() {
+    // Byte 4 of VCU2, bits 1-0 motor, 5-4 vehicle controller.
+    for (raw, severity) in
+        [(0, Severity::None), (1, Severity::Stop), (2, Severity::Derate), (3, Severity::Warn)]
+    {
+        for shift in [0, 4] {
+            let mut ride = Ride::new();
+            ride.receive(VCU2, [1, 0, 0, raw << shift, 0, 90, 0xFF, 0]);
+            ride.run(10);
+            assert_eq!(
+                ride.cluster.view(ride.now).severity,
+                severity,
+                "JL-14, JL-R010: {raw} at bit {shift}"
+            );
+        }
+        let mut ride = Ride::new();
+        ride.receive(STATUS, [0x15, 0x18, 0x13, 0x88, 200, 1, raw, 0]);
+        ride.run(10);
+        assert_eq!(ride.cluster.view(ride.now).severity, severity, "JL-R019: battery {raw}");
+        let sound = ride.cluster.chime(ride.now).map(|chime| chime.sound);
+        assert_eq!(sound == Some(Sound::Stop), severity == Severity::Stop, "a buzzer");
+    }
+}
+
+#[test]
+fn jl_r019_the_driver_reads_the_level_number_of_the_vehicles_own_documents() {
+    for (raw, words, severity) in [
+        (1, "Battery fault level 1", Severity::Stop),
+        (2, "Battery fault level 2", Severity::Derate),
+        (3, "Battery fault level 3", Severity::Warn),
+    ] {
+        let mut ride = Ride::new();
+        ride.receive(STATUS, [0x15, 0x18, 0x13, 0x88, 200, 1, raw, 0]);
+        ride.run(10);
+        assert!(ride.texts().contains(&(words, severity)), "JL-14, X-01: {:?}", ride.texts());
+    }
+}
+
+#[test]
+fn jl_r023_jl_r024_a_smoke_alarm_is_level_1_and_a_detector_fault_level_2() {
+    for detector in 0..6 {
+        let mut ride = Ride::new();
+        ride.receive(FAULTS, [0, 0, 100, 200, 0, 1 << detector, 0, 0]);
+        ride.run(10);
+        assert_eq!(ride.texts().iter().map(|text| text.1).collect::<Vec<_>>(), [Severity::Derate]);
+        ride.receive(FAULTS, [0, 0, 100, 200, 0, 0, 1 << detector, 0]);
+        ride.run(10);
+        let [(text, severity)] = ride.texts()[..] else { panic!("one alarm: {:?}", ride.texts()) };
+        assert_eq!((text.starts_with("Smoke alarm"), severity), (true, Severity::Stop));
+        let view = ride.cluster.view(ride.now);
+        assert!(view.telltales.is_lit(Telltale::BatteryFault));
+        assert_eq!(ride.cluster.chime(ride.now).map(|chime| chime.sound), Some(Sound::Stop), "JL-24");
+    }
+}
+
+#[test]
+fn jl_33_every_battery_alarm_bit_has_its_own_text() {
+    let mut seen = Vec::new();
+    for (byte, bits) in [(0, 8), (1, 8), (5, 6), (6, 6), (7, 1)] {
+        for bit in 0..bits {
+            let mut ride = Ride::new();
+            let mut data = [0, 0, 100, 200, 0, 0, 0, 0];
+            data[byte] = 1 << bit;
+            ride.receive(FAULTS, data);
+            ride.run(10);
+            let texts = ride.texts();
+            assert!(!texts.is_empty(), "byte {byte}, bit {bit}");
+            seen.push(texts[0].0);
+        }
+    }
+    let count = seen.len();
+    seen.sort_unstable();
+    seen.dedup();
+    assert_eq!((count, seen.len()), (29, 29));
+}
+
+#[test]
+fn every_motor_alarm_bit_has_its_own_text() {
+    let mut seen = Vec::new();
+    for bit in 0..23 {
+        let mut ride = Ride::new();
+        let mut data = speed(0);
+        data[5 + bit / 8] = 1 << (bit % 8);
+        ride.receive(VCU3, data);
+        ride.run(10);
+        let [(text, Severity::Warn)] = ride.texts()[..] else { panic!("one alarm: {:?}", ride.texts()) };
+        seen.push(text);
+    }
+    seen.sort_unstable();
+    seen.dedup();
+    assert_eq!(seen.len(), 23);
+}
+
+#[test]
+fn jl_23_the_low_supply_lights_its_lamp_from_either_frame() {
+    let frames = [(VCU1, [1, 0x40, 0, 0, 0x75, 0x30, 80, 0]), (VCU2, [1, 0, 0, 0, 0x10, 90, 0xFF, 0])];
+    for (id, data) in frames {
+        let mut ride = Ride::new();
+        ride.receive(id, data);
+        ride.run(10);
+        assert_eq!(ride.texts(), [("Low-voltage supply low", Severity::Warn)]);
+        assert!(ride.cluster.view(ride.now).telltales.is_lit(Telltale::LowVoltage));
+    }
+}
+
+#[test]
+fn jl_22_the_whole_byte_is_a_speed_and_the_range_is_shown_as_sent() {
+    let mut ride = Ride::new();
+    ride.receive(VCU3, [255, 0x01, 0x2C, 0x3A, 0x98, 0, 0, 0]);
+    let view = ride.cluster.view(ride.now);
+    assert_eq!(view.speed_kmh, Shown::Value(255));
+    assert_eq!(view.range.map(|range| (range.km, range.is_estimated)), Shown::Value((300, false)));
+}
+
+#[test]
+fn jl_r031_remote_upgrade_is_forbidden_while_driving_and_whenever_the_speed_is_unknown() {
+    let mut ride = Ride::new();
+    let flags = |ride: &Ride| (ride.last(UPGRADE_VEHICLE)[1], ride.last(UPGRADE_BATTERY)[1]);
+    assert_eq!(flags(&ride), (1, 1), "the speed was never heard");
+    let mut life = 0;
+    let mut drive = |ride: &mut Ride, kmh, gear| {
+        for _ in 0..15 {
+            life += 1;
+            ride.receive(VCU3, speed(kmh));
+            ride.receive(VCU2, [life, gear, 0, 0, 0, 90, 0xFF, 200]);
+            ride.run(100);
+        }
+    };
+    // Gears as the DBC's table: 0 N, 1 D, 2 R.
+    drive(&mut ride, 0, 0);
+    let gear = ride.cluster.view(ride.now).gear;
+    assert_eq!((gear, flags(&ride)), (Some(Gear::N), (0, 0)), "standing in N");
+    drive(&mut ride, 1, 0);
+    assert_eq!(flags(&ride), (1, 1), "rolling");
+    drive(&mut ride, 0, 1);
+    assert_eq!(flags(&ride), (1, 1), "standing with a driving gear");
+    drive(&mut ride, 0, 0);
+    assert_eq!(flags(&ride), (0, 0));
+    ride.run(4_000);
+    assert_eq!(flags(&ride), (1, 1), "the speed is stale");
+    let frame = ride.last(UPGRADE_VEHICLE);
+    assert_eq!(frame[2..], [0; 6], "reserved bytes are 0 here");
+}
+
+#[test]
+fn jl_04_jl_r026_the_distance_goes_middle_low_high_beside_supply_and_versions() {
+    let mut ride = Ride::new();
+    ride.cluster.restore(0x0012_3456 * 8 + 7);
+    ride.inputs.supply_decivolts = Some(0x0102);
+    ride.run(1_000);
+    let [_, volts_high, volts_low, middle, low, high, hardware, software] = ride.last(TO_VEHICLE);
+    assert_eq!((volts_high, volts_low), (1, 2), "0.1 V, high byte first");
+    assert_eq!([middle, low, high], [0x34, 0x56, 0x12]);
+    assert!(hardware > 0 && software > 0);
+}
+
+#[test]
+fn jl_42_each_sent_message_keeps_its_cycle_and_counts_from_0_to_255_and_round() {
+    let mut ride = Ride::new();
+    ride.run(300_000);
+    for (id, cycle) in [(TO_VEHICLE, 500), (UPGRADE_VEHICLE, 1_000), (UPGRADE_BATTERY, 1_000)] {
+        let sent: Vec<_> = ride.sent.iter().filter(|(_, frame)| frame.id == CanId::extended(id)).collect();
+        assert_eq!(sent.len(), 303_000 / cycle, "{id:08X}");
+        for (n, pair) in sent.windows(2).enumerate() {
+            assert_eq!(pair[1].0 - pair[0].0, cycle as u64, "{id:08X}");
+            assert_eq!(usize::from(pair[0].1.padded()[0]), n % 256, "JL-R009");
+        }
+    }
+}

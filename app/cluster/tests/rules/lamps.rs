@@ -1,0 +1,157 @@
+//! Telltales: which condition lights which lamp, and what silence does.
+
+use crate::toy::*;
+use cluster::{Inputs, Lamp, Telltale, Telltales};
+use protocol_core::Millis;
+
+fn lit(drive: &Drive) -> Vec<Telltale> {
+    let telltales = drive.view().telltales;
+    Telltale::ALL.iter().copied().filter(|&lamp| telltales.is_lit(lamp)).collect()
+}
+
+#[test]
+fn all_lamps_are_lit_for_three_seconds_after_start() {
+    for start in [0, 20, u64::from(u32::MAX)] {
+        let mut drive = Drive::at(Millis(start));
+        assert_eq!(drive.cluster.view(Millis(start)).telltales, Telltales::ALL, "before the first tick");
+        drive.run(TICK);
+        assert_eq!(drive.cluster.view(Millis(start + 2_999)).telltales, Telltales::ALL);
+        assert_eq!(drive.cluster.view(Millis(start + 3_000)).telltales, Telltales::NONE);
+    }
+}
+
+#[test]
+fn a_real_fault_during_the_bulb_check_stays_lit_after_it() {
+    let mut drive = Drive::silent();
+    drive.keep(DRIVE, [3, 0, 0, 0b10, 0, 0, 0, 0]);
+    drive.run(3_000 + TICK);
+    assert_eq!(lit(&drive), [Telltale::SystemFault]);
+}
+
+#[test]
+fn a_healthy_vehicle_shows_only_ready() {
+    let mut drive = Drive::healthy();
+    drive.run(10_000);
+    assert_eq!(lit(&drive), [Telltale::Ready]);
+}
+
+#[test]
+fn bus_r022_ready_follows_its_bit_and_is_green() {
+    let mut drive = Drive::healthy();
+    assert_eq!(Telltale::Ready.colour(), Lamp::Green);
+    drive.keep(DRIVE, [3, 0, 0, 0, 0, 0, 0, 0]);
+    drive.run(CYCLE);
+    assert_eq!(lit(&drive), []);
+}
+
+#[test]
+fn bus_r023_and_bus_111_the_system_fault_lamp_follows_its_bit_alone() {
+    let mut drive = Drive::healthy();
+    assert_eq!(Telltale::SystemFault.colour(), Lamp::Red);
+    drive.faults(3, 4);
+    drive.battery_faults(3, 4);
+    drive.run(CYCLE);
+    assert!(!lit(&drive).contains(&Telltale::SystemFault));
+    drive.keep(DRIVE, [3, 0, 0, 0b11, 0, 0, 0, 0]);
+    drive.run(CYCLE);
+    assert!(lit(&drive).contains(&Telltale::SystemFault));
+}
+
+#[test]
+fn bus_108_silence_keeps_what_warns_and_darkens_the_rest() {
+    let mut drive = Drive::healthy();
+    drive.keep(DRIVE, [3, 0, 0, 0b1111, 0, 0, 0, 0]);
+    drive.battery_faults(1, 3);
+    drive.keep(MOTOR, [0, 0, 1, 0, 0, 0, 0, 0]);
+    drive.run(CYCLE);
+    use Telltale::{BatteryFault, MotorFault, NoCommunication, PowerLimited, Ready, SystemFault};
+    assert_eq!(lit(&drive), [Ready, SystemFault, BatteryFault, MotorFault, PowerLimited]);
+    for id in [DRIVE, PACK, MOTOR] {
+        drive.stop(id);
+    }
+    drive.run(10_000);
+    assert_eq!(lit(&drive), [SystemFault, BatteryFault, MotorFault, NoCommunication]);
+    drive.gear_and_speed(3, 0);
+    drive.battery_faults(0, 0);
+    drive.keep(MOTOR, [0; 8]);
+    drive.run(CYCLE);
+    assert_eq!(lit(&drive), [Ready], "their sources take them back");
+}
+
+#[test]
+fn silence_alone_lights_no_fault_lamp() {
+    let mut drive = Drive::silent();
+    drive.run(60_000);
+    assert_eq!(lit(&drive), [Telltale::NoCommunication]);
+}
+
+#[test]
+fn bus_r096_low_charge_has_its_hysteresis() {
+    let mut drive = Drive::healthy();
+    let mut charge = |raw: u8| {
+        let mut data = PACK_WELL;
+        data[4] = raw;
+        drive.keep(PACK, data);
+        drive.run(CYCLE);
+        lit(&drive).contains(&Telltale::LowCharge)
+    };
+    // 0.4 % per bit: 50 = 20.0 %, 55 = 22.0 %.
+    let steps = [(56, false), (50, false), (49, true), (50, true), (55, true), (56, false), (51, false)];
+    for (raw, expected) in steps {
+        assert_eq!(charge(raw), expected, "{} %", f64::from(raw) * 0.4);
+    }
+    assert!(charge(10));
+    assert!(!charge(0xFF), "an unknown charge is not a low one");
+}
+
+#[test]
+fn an_open_main_contactor_lights_battery_cut() {
+    let mut drive = Drive::healthy();
+    let mut data = PACK_WELL;
+    data[6] = 0;
+    drive.keep(PACK, data);
+    drive.run(CYCLE);
+    assert!(lit(&drive).contains(&Telltale::BatteryCut));
+}
+
+#[test]
+fn every_own_wire_has_its_lamp() {
+    type Wire = fn(&mut Inputs);
+    let wires: &[(Wire, Telltale)] = &[
+        (|i| i.lights.turn_left = true, Telltale::TurnLeft),
+        (|i| i.lights.turn_right = true, Telltale::TurnRight),
+        (|i| i.lights.low_beam = true, Telltale::LowBeam),
+        (|i| i.lights.high_beam = true, Telltale::HighBeam),
+        (|i| i.lights.front_fog = true, Telltale::FrontFog),
+        (|i| i.lights.rear_fog = true, Telltale::RearFog),
+        (|i| i.hand_brake = true, Telltale::ParkingBrake),
+        (|i| i.doors.front = true, Telltale::Door),
+        (|i| i.doors.middle = true, Telltale::Door),
+        (|i| i.doors.rear = true, Telltale::Door),
+        (|i| i.doors.hatch = true, Telltale::Door),
+        (|i| i.air_front_centimpa = Some(39), Telltale::AirPressure),
+        (|i| i.air_rear_centimpa = Some(0), Telltale::AirPressure),
+    ];
+    for (n, (set, lamp)) in wires.iter().enumerate() {
+        let mut drive = Drive::healthy();
+        set(&mut drive.inputs);
+        drive.run(TICK);
+        assert!(lit(&drive).contains(lamp), "wire {n} lights {lamp:?}");
+        assert_eq!(lit(&drive).len(), 2, "wire {n} lights one lamp beside READY");
+        drive.inputs =
+            Inputs { air_front_centimpa: Some(40), air_rear_centimpa: Some(40), ..Inputs::default() };
+        drive.run(TICK);
+        assert_eq!(lit(&drive), [Telltale::Ready], "wire {n} released");
+    }
+}
+
+#[test]
+fn bus_39_the_parking_brake_lamp_follows_the_own_wire() {
+    let mut drive = Drive::healthy();
+    drive.inputs.hand_brake = true;
+    for id in [DRIVE, PACK, FAULTS, MOTOR, PARTS] {
+        drive.stop(id);
+    }
+    drive.run(10_000);
+    assert!(lit(&drive).contains(&Telltale::ParkingBrake), "no bus is needed");
+}

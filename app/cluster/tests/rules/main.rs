@@ -1,0 +1,16 @@
+//! The cluster against a vehicle made for its tests, rule by rule.
+
+mod arbitration;
+mod faults;
+mod lamps;
+mod odometer;
+mod own_wires;
+mod properties;
+mod reception;
+mod screen;
+mod sounds;
+mod transmit;
+mod worlds;
+
+/// A small vehicle and a clock to drive it by.
+mod toy;

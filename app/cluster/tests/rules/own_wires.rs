@@ -1,0 +1,158 @@
+//! Inputs and decisions of the cluster itself.
+
+use crate::toy::*;
+use cluster::{Buttons, Inputs, Key};
+use protocol_core::Millis;
+use protocol_core::model::{Shown, Value};
+
+fn shown(drive: &Drive, value: Value) -> Shown<i32> {
+    drive.cluster.shown(value, Millis(u64::MAX / 2))
+}
+
+#[test]
+fn own_wires_are_values_that_do_not_go_stale() {
+    let mut drive = Drive::silent();
+    drive.inputs = Inputs {
+        key: Key::Start,
+        horn: true,
+        supply_decivolts: Some(274),
+        air_rear_centimpa: Some(81),
+        ..Inputs::default()
+    };
+    drive.run(TICK);
+    assert_eq!(shown(&drive, Value::BodyKey), Shown::Value(3));
+    assert_eq!(shown(&drive, Value::BodyHorn), Shown::Value(1));
+    assert_eq!(shown(&drive, Value::BodySmoke), Shown::Value(0));
+    assert_eq!(shown(&drive, Value::SupplyVoltage), Shown::Value(274));
+    assert_eq!(shown(&drive, Value::AirRear), Shown::Value(81));
+    assert_eq!(shown(&drive, Value::AirFront), Shown::Invalid, "no sensor is not zero pressure");
+}
+
+#[test]
+fn every_wire_is_filed_under_its_own_value() {
+    type Wire = fn(&mut Inputs);
+    let wires: &[(Wire, Value)] = &[
+        (|i| i.doors.front = true, Value::BodyDoorFront),
+        (|i| i.doors.middle = true, Value::BodyDoorMiddle),
+        (|i| i.doors.rear = true, Value::BodyDoorRear),
+        (|i| i.doors.hatch = true, Value::BodyDoorHatch),
+        (|i| i.lights.low_beam = true, Value::BodyLowBeam),
+        (|i| i.lights.high_beam = true, Value::BodyHighBeam),
+        (|i| i.lights.brake = true, Value::BodyBrakeLamp),
+        (|i| i.lights.turn_left = true, Value::BodyTurnLeft),
+        (|i| i.lights.turn_right = true, Value::BodyTurnRight),
+        (|i| i.lights.hazard = true, Value::BodyHazard),
+        (|i| i.lights.front_fog = true, Value::BodyFrontFog),
+        (|i| i.lights.rear_fog = true, Value::BodyRearFog),
+        (|i| i.lights.side = true, Value::BodySideLamp),
+        (|i| i.hand_brake = true, Value::BodyHandBrake),
+        (|i| i.smoke = true, Value::BodySmoke),
+        (|i| i.horn = true, Value::BodyHorn),
+        (|i| i.seat_empty = true, Value::BodySeatEmpty),
+    ];
+    for (set, value) in wires {
+        let mut drive = Drive::silent();
+        set(&mut drive.inputs);
+        drive.run(TICK);
+        let on: Vec<Value> = wires
+            .iter()
+            .map(|wire| wire.1)
+            .filter(|&value| shown(&drive, value) == Shown::Value(1))
+            .collect();
+        assert_eq!(on, [*value]);
+    }
+}
+
+#[test]
+fn bus_r129_driver_left_needs_an_empty_seat_and_a_driving_gear() {
+    // Gears of the model: D, R, N, P, forward gears 1 to 6 (BUS-93), none, undefined.
+    let gears = [(1, 1), (2, 1), (3, 0), (4, 0), (11, 1), (16, 1), (0, 0), (5, 0), (17, 0)];
+    for (gear, left) in gears {
+        for seat_empty in [false, true] {
+            let mut drive = Drive::healthy();
+            drive.inputs.seat_empty = seat_empty;
+            drive.gear_and_speed(gear, 0);
+            drive.run(CYCLE);
+            let expected = if seat_empty { left } else { 0 };
+            assert_eq!(shown(&drive, Value::ClusterDriverLeft), Shown::Value(expected), "gear {gear}");
+        }
+    }
+}
+
+#[test]
+fn bus_r129_without_gear_information_the_driver_has_not_left() {
+    let mut drive = Drive::healthy();
+    drive.inputs.seat_empty = true;
+    drive.gear_and_speed(1, 0);
+    drive.run(CYCLE);
+    drive.stop(DRIVE);
+    drive.run(DRIVE_TIMEOUT);
+    assert_eq!(shown(&drive, Value::ClusterDriverLeft), Shown::Value(0));
+}
+
+#[test]
+fn jl_r031_remote_upgrade_is_allowed_only_while_the_vehicle_is_known_to_stand() {
+    let mut drive = Drive::healthy();
+    assert_eq!(shown(&drive, Value::ClusterUpgradeForbidden), Shown::Value(0));
+    drive.gear_and_speed(1, 1);
+    drive.run(CYCLE);
+    assert_eq!(shown(&drive, Value::ClusterUpgradeForbidden), Shown::Value(1));
+    drive.gear_and_speed(3, 0);
+    drive.run(CYCLE);
+    drive.stop(DRIVE);
+    drive.run(DRIVE_TIMEOUT);
+    assert_eq!(shown(&drive, Value::ClusterUpgradeForbidden), Shown::Value(1), "unknown speed");
+}
+
+#[test]
+fn a_push_changes_language_then_colours() {
+    let mut drive = Drive::healthy();
+    let mut seen = Vec::new();
+    for _ in 0..5 {
+        seen.push((drive.view().language, drive.view().theme));
+        drive.inputs.buttons = Buttons { menu: true, ..Buttons::default() };
+        drive.run(200);
+        drive.inputs.buttons = Buttons::default();
+        drive.run(200);
+    }
+    use cluster::view::{Language::*, Theme::*};
+    assert_eq!(seen, [(Chinese, Night), (English, Night), (Chinese, Day), (English, Day), (Chinese, Night)]);
+}
+
+#[test]
+fn a_push_silences_the_sound() {
+    let mut drive = Drive::healthy();
+    drive.faults(3, 0);
+    drive.run(CYCLE);
+    drive.inputs.buttons.next = true;
+    drive.run(2 * TICK);
+    assert!(drive.sound().is_some(), "two samples could be a bounce");
+    drive.run(TICK);
+    assert_eq!(drive.sound(), None);
+}
+
+#[test]
+fn single_glitches_never_add_up_to_a_push() {
+    let mut drive = Drive::healthy();
+    let before = drive.view().language;
+    for level in "100110010010110011001".repeat(20).chars() {
+        drive.inputs.buttons.menu = level == '1';
+        drive.run(TICK);
+        assert_eq!(drive.view().language, before);
+    }
+}
+
+#[test]
+fn a_held_or_bouncing_button_counts_once() {
+    let mut drive = Drive::healthy();
+    // Bounces on the way down, holds, bounces on the way up.
+    let wire = "0010110111111111101111111111111111010010000000000000";
+    let mut changes = 0;
+    for level in wire.chars() {
+        let before = drive.view().language;
+        drive.inputs.buttons.menu = level == '1';
+        drive.run(TICK);
+        changes += u32::from(drive.view().language != before);
+    }
+    assert_eq!(changes, 1);
+}
