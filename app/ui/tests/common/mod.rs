@@ -1,0 +1,185 @@
+//! A panel for tests: keeps what was sent and is stricter than the real one.
+
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its part")]
+
+use cluster::{
+    Telltale, Telltales, View,
+    view::{Language, Line, Text, Theme},
+};
+use embedded_graphics_core::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point, Size},
+    pixelcolor::{IntoStorage, Rgb565},
+    primitives::Rectangle,
+};
+use protocol_core::model::{Gear, Severity, Shown};
+use std::convert::Infallible;
+use ui::{HEIGHT, Screen, WIDTH};
+
+/// A picture of the whole screen, 5-6-5 words.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Panel {
+    pub pixels: Vec<u16>,
+    /// Tiles received.
+    pub windows: usize,
+    /// Pixels received.
+    pub sent: usize,
+}
+
+impl Panel {
+    /// Returns a panel full of noise, as after power-on.
+    pub fn garbage() -> Self {
+        let mut state = 0x1234_5678_u32;
+        let noise = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 16) as u16
+        };
+        Self {
+            pixels: std::iter::repeat_with(noise).take(usize::from(WIDTH) * usize::from(HEIGHT)).collect(),
+            windows: 0,
+            sent: 0,
+        }
+    }
+
+    /// Receives everything that the screen has to send, in tiles of at most `max_pixels`.
+    pub fn receive(&mut self, screen: &mut Screen, max_pixels: usize) {
+        (self.windows, self.sent) = (0, 0);
+        while let Some(area) = screen.next_tile(max_pixels) {
+            assert!(
+                area.size.width as usize * area.size.height as usize <= max_pixels.max(usize::from(WIDTH))
+            );
+            self.receive_tile(screen, area);
+        }
+        assert!(screen.is_clean());
+    }
+
+    /// Receives one tile; every pixel of it must be painted exactly once.
+    pub fn receive_tile(&mut self, screen: &Screen, area: Rectangle) {
+        let mut tile = StrictTile { area, pixels: vec![None; (area.size.width * area.size.height) as usize] };
+        screen.draw(&area, &mut tile).unwrap();
+        for (index, pixel) in tile.pixels.into_iter().enumerate() {
+            let (x, y) = (index as i32 % area.size.width as i32, index as i32 / area.size.width as i32);
+            let place = (area.top_left.y + y) * i32::from(WIDTH) + area.top_left.x + x;
+            self.pixels[place as usize] =
+                pixel.unwrap_or_else(|| panic!("({x}, {y}) of {area:?} was not painted"));
+            self.sent += 1;
+        }
+        self.windows += 1;
+    }
+
+    /// Returns the full picture of a view, painted at once.
+    pub fn of(view: &View) -> Self {
+        let mut screen = Screen::new();
+        screen.update(view);
+        let mut panel = Self::garbage();
+        panel.receive(&mut screen, ui::TILE_PIXELS);
+        panel
+    }
+
+    /// Returns where the first difference to another picture is.
+    pub fn difference(&self, other: &Self) -> Option<(usize, usize)> {
+        let place = self.pixels.iter().zip(&other.pixels).position(|(a, b)| a != b)?;
+        Some((place % usize::from(WIDTH), place / usize::from(WIDTH)))
+    }
+}
+
+/// A tile that panics when a pixel is painted twice or outside.
+struct StrictTile {
+    area: Rectangle,
+    pixels: Vec<Option<u16>>,
+}
+
+impl Dimensions for StrictTile {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl DrawTarget for StrictTile {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(point, colour) in pixels {
+            assert!(self.area.contains(point), "{point:?} is outside {:?}", self.area);
+            let (x, y) = (point.x - self.area.top_left.x, point.y - self.area.top_left.y);
+            let pixel = &mut self.pixels[(y * self.area.size.width as i32 + x) as usize];
+            assert!(pixel.is_none(), "{point:?} was painted twice");
+            *pixel = Some(colour.into_storage());
+        }
+        Ok(())
+    }
+}
+
+pub fn rectangle(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
+    Rectangle::new(Point::new(x, y), Size::new(width, height))
+}
+
+pub fn lamps(lit: &[Telltale]) -> Telltales {
+    let mut lamps = Telltales::NONE;
+    lit.iter().for_each(|&lamp| lamps.set(lamp, true));
+    lamps
+}
+
+/// Driving along with everything in order.
+pub fn driving() -> View {
+    View {
+        speed_kmh: Shown::Value(62),
+        gear: Some(Gear::D),
+        soc_percent: Shown::Value(78),
+        pack_decivolts: Shown::Value(5372),
+        pack_deciamps: Shown::Value(634),
+        power_hectowatts: Shown::Value(341),
+        motor_rpm: Shown::Value(4870),
+        motor_celsius: Shown::Value(74),
+        inverter_celsius: Shown::Value(58),
+        cell_millivolts: (Shown::Value(3360), Shown::Value(3310)),
+        cell_celsius: (Shown::Value(34), Shown::Value(29)),
+        odometer_hectometres: 481_237,
+        telltales: lamps(&[Telltale::Ready, Telltale::LowBeam]),
+        heartbeat: true,
+        ..View::default()
+    }
+}
+
+pub fn line(
+    severity: Severity,
+    zh: &'static str,
+    en: &'static str,
+    code: u16,
+    position: u8,
+    count: u8,
+) -> Line {
+    Line { severity, text: Text { zh, en }, code: Some(code), position, count }
+}
+
+/// The same in English.
+pub fn english(view: View) -> View {
+    View { language: Language::English, ..view }
+}
+
+/// The same for direct sun.
+pub fn day(view: View) -> View {
+    View { theme: Theme::Day, ..view }
+}
+
+/// Every value missing in the same way.
+pub fn missing<const STALE: bool>(view: View) -> View {
+    fn kind<T, const STALE: bool>() -> Shown<T> {
+        if STALE { Shown::Stale } else { Shown::Invalid }
+    }
+    View {
+        speed_kmh: kind::<_, STALE>(),
+        soc_percent: kind::<_, STALE>(),
+        pack_decivolts: kind::<_, STALE>(),
+        pack_deciamps: kind::<_, STALE>(),
+        power_hectowatts: kind::<_, STALE>(),
+        motor_rpm: kind::<_, STALE>(),
+        motor_celsius: kind::<_, STALE>(),
+        inverter_celsius: kind::<_, STALE>(),
+        cell_millivolts: (kind::<_, STALE>(), kind::<_, STALE>()),
+        cell_celsius: (kind::<_, STALE>(), kind::<_, STALE>()),
+        ..view
+    }
+}

@@ -1,0 +1,234 @@
+//! Screens as scene literals against committed pictures, pixel by pixel.
+//!
+//! `cargo xtask screens --bless` (BLESS=1) takes the pictures anew; look at every one before it is committed.
+
+mod common;
+
+use cluster::{Telltale, Telltales, View};
+use common::{Panel, day, english, lamps, line, missing};
+use protocol_core::model::{Gear, Severity, Shown};
+use std::{fs, path::Path};
+use ui::{HEIGHT, WIDTH};
+
+/// Returns 8-bit red, green and blue of 5-6-5 words, the full range used.
+fn rgb(words: &[u16]) -> Vec<u8> {
+    let widen = |part: u16, bits: u32| (u32::from(part) * 255 / ((1 << bits) - 1)) as u8;
+    words
+        .iter()
+        .flat_map(|word| [widen(word >> 11, 5), widen(word >> 5 & 63, 6), widen(word & 31, 5)])
+        .collect()
+}
+
+fn write_png(path: &Path, pixels: &[u8]) {
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    let file = fs::File::create(path).unwrap();
+    let mut encoder = png::Encoder::new(file, u32::from(WIDTH), u32::from(HEIGHT));
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.write_header().unwrap().write_image_data(pixels).unwrap();
+}
+
+fn read_png(path: &Path) -> Option<Vec<u8>> {
+    let file = std::io::BufReader::new(fs::File::open(path).ok()?);
+    let mut reader = png::Decoder::new(file).read_info().ok()?;
+    let mut pixels = vec![0; reader.output_buffer_size()?];
+    reader.next_frame(&mut pixels).ok()?;
+    Some(pixels)
+}
+
+/// Compares the picture of `view` with `tests/screens/<name>.png`.
+fn check(name: &str, view: &View) {
+    let actual = rgb(&Panel::of(view).pixels);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let expected_path = root.join(format!("tests/screens/{name}.png"));
+    if std::env::var_os("BLESS").is_some() {
+        write_png(&expected_path, &actual);
+        return;
+    }
+    let expected = read_png(&expected_path).unwrap_or_default();
+    if expected == actual {
+        return;
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("screens");
+    write_png(&folder.join(format!("{name}.actual.png")), &actual);
+    let differs = |at: usize| expected.get(3 * at..3 * at + 3) != actual.get(3 * at..3 * at + 3);
+    let count = (0..actual.len() / 3).filter(|&at| differs(at)).count();
+    let diff: Vec<u8> = (0..actual.len() / 3)
+        .flat_map(
+            |at| if differs(at) { [255, 0, 255] } else { [0, 1, 2].map(|part| actual[3 * at + part] / 4) },
+        )
+        .collect();
+    write_png(&folder.join(format!("{name}.diff.png")), &diff);
+    panic!(
+        "screen {name} differs in {count} pixels from {}\n  actual: {folder}/{name}.actual.png\n  difference: \
+         {folder}/{name}.diff.png\n  if the new picture is right: cargo xtask screens --bless",
+        expected_path.display(),
+        folder = folder.display(),
+    );
+}
+
+macro_rules! screens {
+    ($($(#[$doc:meta])* $name:ident: $view:expr;)*) => {
+        mod screen {
+            use super::*;
+            $($(#[$doc])* #[test] fn $name() { check(stringify!($name), &$view); })*
+        }
+
+        /// A picture that no scene draws is forgotten work.
+        #[test]
+        fn every_committed_picture_has_its_scene() {
+            let scenes = [$(stringify!($name)),*];
+            for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/screens")).unwrap() {
+                let path = entry.unwrap().path();
+                let name = path.file_stem().unwrap().to_str().unwrap();
+                assert!(scenes.contains(&name), "{} belongs to no scene: delete it", path.display());
+            }
+        }
+    };
+}
+
+fn stop_view() -> View {
+    View {
+        telltales: lamps(&[Telltale::BatteryFault, Telltale::SystemFault, Telltale::LowBeam]),
+        severity: Severity::Stop,
+        line: Some(line(Severity::Stop, "绝缘故障 立即停车", "Insulation fault: stop now", 11, 2, 5)),
+        ..common::driving()
+    }
+}
+
+fn warn_view() -> View {
+    View {
+        telltales: lamps(&[Telltale::Ready, Telltale::LowBeam, Telltale::LowCharge]),
+        soc_percent: Shown::Value(12),
+        severity: Severity::Warn,
+        line: Some(line(Severity::Warn, "剩余电量低", "Charge is low", 4, 1, 1)),
+        ..common::driving()
+    }
+}
+
+fn bulb_check_view() -> View {
+    View { telltales: Telltales::ALL, ..View::default() }
+}
+
+fn fast_view() -> View {
+    View {
+        speed_kmh: Shown::Value(188),
+        motor_rpm: Shown::Value(11_900),
+        power_hectowatts: Shown::Value(1999),
+        ..common::driving()
+    }
+}
+
+screens! {
+    bulb_check: bulb_check_view();
+    never_seen: View::default();
+    driving: common::driving();
+    driving_en: english(common::driving());
+    driving_day: day(common::driving());
+    driving_day_en: day(english(common::driving()));
+    /// Three figures in every place.
+    full_scale: View {
+        soc_percent: Shown::Value(100),
+        pack_decivolts: Shown::Value(7500),
+        pack_deciamps: Shown::Value(-4200),
+        motor_celsius: Shown::Value(-40),
+        inverter_celsius: Shown::Value(128),
+        cell_millivolts: (Shown::Value(4180), Shown::Value(2790)),
+        cell_celsius: (Shown::Value(101), Shown::Value(-28)),
+        odometer_hectometres: 9_999_999,
+        telltales: lamps(&[Telltale::Ready, Telltale::HighBeam, Telltale::TurnLeft, Telltale::TurnRight]),
+        ..fast_view()
+    };
+    /// Zero is a value: pointers stand at zero, nothing is dashed.
+    standing: View {
+        speed_kmh: Shown::Value(0),
+        gear: Some(Gear::P),
+        pack_deciamps: Shown::Value(12),
+        power_hectowatts: Shown::Value(4),
+        motor_rpm: Shown::Value(0),
+        telltales: lamps(&[Telltale::Ready, Telltale::ParkingBrake, Telltale::Door]),
+        ..common::driving()
+    };
+    regeneration: View {
+        speed_kmh: Shown::Value(47),
+        pack_deciamps: Shown::Value(-412),
+        power_hectowatts: Shown::Value(-221),
+        motor_rpm: Shown::Value(3690),
+        ..common::driving()
+    };
+    reversing: View {
+        speed_kmh: Shown::Value(6),
+        gear: Some(Gear::R),
+        motor_rpm: Shown::Value(-480),
+        power_hectowatts: Shown::Value(38),
+        ..common::driving()
+    };
+    stale: View {
+        telltales: lamps(&[Telltale::NoCommunication]),
+        gear: None,
+        severity: Severity::Stop,
+        line: Some(line(Severity::Stop, "整车控制器通信中断", "No communication: VCU", 901, 1, 3)),
+        ..missing::<true>(common::driving())
+    };
+    invalid: View { telltales: lamps(&[Telltale::SystemFault]), gear: None, ..missing::<false>(common::driving()) };
+    warn: warn_view();
+    warn_en: english(warn_view());
+    warn_day: day(warn_view());
+    derate: View {
+        telltales: lamps(&[Telltale::Ready, Telltale::PowerLimited, Telltale::MotorFault]),
+        motor_celsius: Shown::Value(142),
+        severity: Severity::Derate,
+        line: Some(line(Severity::Derate, "电机过热 功率受限", "Motor too hot: power is limited", 215, 1, 2)),
+        ..common::driving()
+    };
+    derate_en: english(View {
+        telltales: lamps(&[Telltale::Ready, Telltale::PowerLimited, Telltale::MotorFault]),
+        severity: Severity::Derate,
+        line: Some(line(Severity::Derate, "电机过热 功率受限", "Motor too hot: power is limited", 215, 1, 2)),
+        ..common::driving()
+    });
+    stop: stop_view();
+    stop_en: english(stop_view());
+    stop_day: day(stop_view());
+    stop_day_en: day(english(stop_view()));
+    fire: View {
+        speed_kmh: Shown::Value(0),
+        gear: Some(Gear::N),
+        motor_rpm: Shown::Value(0),
+        power_hectowatts: Shown::Value(0),
+        pack_deciamps: Shown::Value(0),
+        cell_celsius: (Shown::Value(168), Shown::Value(41)),
+        telltales: lamps(&[Telltale::BatteryFault, Telltale::SystemFault, Telltale::BatteryCut]),
+        severity: Severity::Stop,
+        line: Some(line(Severity::Stop, "火灾报警 立即停车疏散", "FIRE: stop, get everyone out", 1, 1, 4)),
+        ..common::driving()
+    };
+    charging: View {
+        speed_kmh: Shown::Value(0),
+        gear: Some(Gear::P),
+        pack_deciamps: Shown::Value(-1204),
+        power_hectowatts: Shown::Value(-647),
+        motor_rpm: Shown::Value(0),
+        motor_celsius: Shown::Value(31),
+        inverter_celsius: Shown::Value(29),
+        telltales: lamps(&[Telltale::ChargePlug, Telltale::Charging, Telltale::ParkingBrake]),
+        line: Some(cluster::view::Line { code: None, ..line(Severity::None, "正在充电", "Charging", 0, 1, 1) }),
+        ..common::driving()
+    };
+    charging_day: day(View {
+        speed_kmh: Shown::Value(0),
+        gear: Some(Gear::P),
+        power_hectowatts: Shown::Value(-647),
+        pack_deciamps: Shown::Value(-1204),
+        telltales: lamps(&[Telltale::ChargePlug, Telltale::Charging, Telltale::ParkingBrake]),
+        line: Some(cluster::view::Line { code: None, ..line(Severity::None, "正在充电", "Charging", 0, 1, 1) }),
+        ..common::driving()
+    });
+    bulb_check_day: day(bulb_check_view());
+    /// A text that is too long is cut and says so.
+    long_text: english(View {
+        severity: Severity::Warn,
+        line: Some(line(Severity::Warn, "", "A text that is far too long for the line of this screen", 65_535, 12, 12)),
+        ..common::driving()
+    });
+}

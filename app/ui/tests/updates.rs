@@ -1,0 +1,347 @@
+//! What is sent after a change: enough, and not much more.
+
+mod common;
+
+use cluster::{
+    Telltale, Telltales, View,
+    view::{Language, Theme},
+};
+use common::{Panel, driving, english, lamps, line, missing, rectangle};
+use embedded_graphics_core::primitives::PointsIter;
+use protocol_core::model::{Gear, Severity, Shown};
+use ui::{HEIGHT, Screen, TILE_PIXELS, WIDTH};
+
+/// A small generator of random views; the sequence is the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: u32) -> u32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as u32 % bound
+    }
+
+    fn one_in(&mut self, chance: u32) -> bool {
+        self.below(chance) == 0
+    }
+
+    fn shown<T>(&mut self, low: i32, high: i32, convert: impl Fn(i32) -> T) -> Shown<T> {
+        match self.below(10) {
+            0 => Shown::Never,
+            1 => Shown::Stale,
+            2 => Shown::Invalid,
+            _ => Shown::Value(convert(low + self.below((high - low + 1) as u32) as i32)),
+        }
+    }
+
+    /// Changes some of the view, or all of it.
+    fn change(&mut self, view: &mut View) {
+        let chance = [1, 3, 12][self.below(3) as usize];
+        macro_rules! maybe {
+            ($field:expr, $value:expr) => {
+                if self.one_in(chance) {
+                    $field = $value;
+                }
+            };
+        }
+        maybe!(view.speed_kmh, self.shown(0, 220, |v| v as u16));
+        maybe!(view.soc_percent, self.shown(0, 100, |v| v as u8));
+        maybe!(view.pack_decivolts, self.shown(-20, 12_000, |v| v));
+        maybe!(view.pack_deciamps, self.shown(-12_000, 12_000, |v| v));
+        maybe!(view.power_hectowatts, self.shown(-4_000, 4_000, |v| v));
+        maybe!(view.motor_rpm, self.shown(-16_000, 16_000, |v| v));
+        maybe!(view.motor_celsius, self.shown(-60, 240, |v| v));
+        maybe!(view.inverter_celsius, self.shown(-60, 240, |v| v));
+        maybe!(view.cell_millivolts.0, self.shown(0, 65_535, |v| v));
+        maybe!(view.cell_millivolts.1, self.shown(0, 65_535, |v| v));
+        maybe!(view.cell_celsius.0, self.shown(-60, 240, |v| v));
+        maybe!(view.cell_celsius.1, self.shown(-60, 240, |v| v));
+        maybe!(view.odometer_hectometres, self.below(20_000_000));
+        maybe!(view.heartbeat, self.one_in(2));
+        let gears =
+            [None, Some(Gear::D), Some(Gear::R), Some(Gear::N), Some(Gear::P), Some(Gear::Forward(3))];
+        maybe!(view.gear, gears[self.below(6) as usize]);
+        let severities = [Severity::None, Severity::Warn, Severity::Derate, Severity::Stop];
+        maybe!(view.severity, severities[self.below(4) as usize]);
+        for &lamp in Telltale::ALL {
+            if self.one_in(chance * 2) {
+                view.telltales.set(lamp, self.one_in(2));
+            }
+        }
+        let texts = [
+            ("绝缘故障", "Insulation fault"),
+            ("电机过热 功率受限", "Motor too hot: power is limited"),
+            ("门开", "Door"),
+        ];
+        let (zh, en) = texts[self.below(3) as usize];
+        let severity = severities[self.below(4) as usize];
+        let new = line(
+            severity,
+            zh,
+            en,
+            self.below(65_536) as u16,
+            1 + self.below(12) as u8,
+            1 + self.below(12) as u8,
+        );
+        maybe!(view.line, (new.code != Some(0)).then_some(new));
+        if self.one_in(20) {
+            view.theme = if self.one_in(2) { Theme::Day } else { Theme::Night };
+        }
+        if self.one_in(20) {
+            view.language = if self.one_in(2) { Language::English } else { Language::Chinese };
+        }
+    }
+}
+
+#[test]
+fn updated_parts_and_a_full_redraw_give_the_same_picture() {
+    let (mut random, mut view, mut screen) = (Random(1), View::default(), Screen::new());
+    let mut panel = Panel::garbage();
+    for round in 0..600 {
+        random.change(&mut view);
+        screen.update(&view);
+        panel.receive(&mut screen, 320 * (1 + random.below(20) as usize));
+        if let Some((x, y)) = panel.difference(&Panel::of(&view)) {
+            panic!("round {round}: pixel ({x}, {y}) was not sent anew; view: {view:?}");
+        }
+    }
+}
+
+#[test]
+fn updates_between_tiles_do_not_get_lost() {
+    let (mut random, mut view, mut screen) = (Random(7), driving(), Screen::new());
+    let mut panel = Panel::garbage();
+    screen.update(&view);
+    for round in 0..300 {
+        random.change(&mut view);
+        screen.update(&view);
+        // Time for three tiles only, then the next values come.
+        for _ in 0..3 {
+            if let Some(area) = screen.next_tile(TILE_PIXELS) {
+                panel.receive_tile(&screen, area);
+            }
+        }
+        if round % 10 == 9 {
+            panel.receive(&mut screen, TILE_PIXELS);
+            assert_eq!(panel.difference(&Panel::of(&view)), None, "round {round}: {view:?}");
+        }
+    }
+}
+
+#[test]
+fn any_region_can_be_painted_over_garbage() {
+    let (mut random, view) = (Random(3), View { telltales: Telltales::ALL, ..driving() });
+    let whole = Panel::of(&view);
+    let mut screen = Screen::new();
+    screen.update(&view);
+    for _ in 0..400 {
+        let (x, y) = (random.below(u32::from(WIDTH)), random.below(u32::from(HEIGHT)));
+        let (width, height) =
+            (1 + random.below(u32::from(WIDTH) - x), 1 + random.below((u32::from(HEIGHT) - y).min(40)));
+        let area = rectangle(x as i32, y as i32, width, height);
+        let mut panel = whole.clone();
+        for point in area.points() {
+            panel.pixels[point.y as usize * usize::from(WIDTH) + point.x as usize] ^= 0xA5A5;
+        }
+        panel.receive_tile(&screen, area);
+        assert_eq!(panel.difference(&whole), None, "{area:?}");
+    }
+}
+
+#[test]
+fn the_same_view_sends_nothing() {
+    let mut screen = Screen::new();
+    screen.update(&driving());
+    Panel::garbage().receive(&mut screen, TILE_PIXELS);
+    screen.update(&driving());
+    assert_eq!(screen.next_tile(TILE_PIXELS), None);
+}
+
+#[test]
+fn a_reset_panel_gets_the_whole_picture_again() {
+    let mut screen = Screen::new();
+    screen.update(&driving());
+    Panel::garbage().receive(&mut screen, TILE_PIXELS);
+    screen.mark_all();
+    let mut panel = Panel::garbage();
+    panel.receive(&mut screen, TILE_PIXELS);
+    assert_eq!(panel.difference(&Panel::of(&driving())), None);
+}
+
+#[test]
+fn a_fault_goes_out_before_the_speed() {
+    let mut screen = Screen::new();
+    screen.update(&driving());
+    Panel::garbage().receive(&mut screen, TILE_PIXELS);
+    screen.update(&View {
+        speed_kmh: Shown::Value(99),
+        motor_rpm: Shown::Value(9000),
+        telltales: lamps(&[Telltale::Insulation]),
+        severity: Severity::Stop,
+        line: Some(line(Severity::Stop, "绝缘故障", "Insulation fault", 11, 1, 1)),
+        ..driving()
+    });
+    let tiles: Vec<_> = std::iter::from_fn(|| screen.next_tile(TILE_PIXELS)).collect();
+    let band = tiles.iter().rposition(|tile| tile.top_left.y >= 213).unwrap();
+    let lamp = tiles.iter().position(|tile| (187..213).contains(&tile.top_left.y)).unwrap();
+    let speed = tiles.iter().position(|tile| tile.top_left.y == 73).unwrap();
+    assert!(band < lamp && lamp < speed, "band {band}, lamp {lamp}, speed {speed}");
+}
+
+/// Zero, never seen, stale and not valid must be four different pictures wherever a number stands.
+#[test]
+fn bus_missing_values_differ_from_zero_and_from_each_other() {
+    let zero = View {
+        speed_kmh: Shown::Value(0),
+        soc_percent: Shown::Value(0),
+        pack_decivolts: Shown::Value(0),
+        pack_deciamps: Shown::Value(0),
+        power_hectowatts: Shown::Value(0),
+        motor_rpm: Shown::Value(0),
+        motor_celsius: Shown::Value(0),
+        inverter_celsius: Shown::Value(0),
+        cell_millivolts: (Shown::Value(0), Shown::Value(0)),
+        cell_celsius: (Shown::Value(0), Shown::Value(0)),
+        ..View::default()
+    };
+    let kinds =
+        [zero, View::default(), missing::<true>(zero), missing::<false>(zero)].map(|view| Panel::of(&view));
+    // One window around the figures of each number: speed, charge, power, voltage, current, two temperatures, motor
+    // speed, cells.
+    let windows = [
+        (85, 74, 150, 78),
+        (18, 29, 42, 22),
+        (238, 29, 56, 22),
+        (6, 85, 42, 14),
+        (6, 109, 42, 14),
+        (276, 94, 24, 14),
+        (276, 130, 24, 14),
+        (124, 172, 48, 14),
+        (14, 161, 24, 12),
+        (14, 175, 24, 12),
+        (40, 161, 21, 12),
+        (40, 175, 21, 12),
+    ];
+    for (x, y, width, height) in windows {
+        let cut = |panel: &Panel| -> Vec<u16> {
+            (y..y + height)
+                .flat_map(|y| (x..x + width).map(move |x| y * usize::from(WIDTH) + x))
+                .map(|at| panel.pixels[at])
+                .collect()
+        };
+        for (first, a) in kinds.iter().enumerate() {
+            for (second, b) in kinds.iter().enumerate().skip(first + 1) {
+                let differing = cut(a).iter().zip(cut(b)).filter(|(a, b)| **a != *b).count();
+                assert!(
+                    differing >= 8,
+                    "window ({x}, {y}): kinds {first} and {second} differ in {differing} pixels only"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn bus_r015_without_gear_there_is_no_gear_letter() {
+    let panel = Panel::of(&View { gear: None, ..driving() });
+    let ground = panel.pixels[0];
+    for y in 46..68 {
+        for x in 146..174 {
+            assert_eq!(panel.pixels[y * usize::from(WIDTH) + x], ground, "({x}, {y})");
+        }
+    }
+}
+
+/// Returns the windows among `windows` in which two views look different.
+fn changed(from: &View, to: &View, windows: &[(i32, i32, u32, u32)]) -> Vec<bool> {
+    let (from, to) = (Panel::of(from), Panel::of(to));
+    let differs = |&(x, y, width, height): &(i32, i32, u32, u32)| {
+        rectangle(x, y, width, height).points().any(|point| {
+            let at = point.y as usize * usize::from(WIDTH) + point.x as usize;
+            from.pixels[at] != to.pixels[at]
+        })
+    };
+    windows.iter().map(differs).collect()
+}
+
+/// The speed's figures, its ring, the motor speed's figures and its ring, left of the centre.
+const DIAL: [(i32, i32, u32, u32); 4] =
+    [(105, 80, 110, 60), (63, 118, 8, 14), (124, 172, 48, 14), (75, 118, 3, 14)];
+
+#[test]
+fn bus_r020_the_speed_moves_its_figures_and_its_pointer() {
+    let slow = View { speed_kmh: Shown::Value(20), ..driving() };
+    assert_eq!(changed(&slow, &driving(), &DIAL), [true, true, false, false]);
+}
+
+#[test]
+fn bus_r057_the_motor_speed_moves_its_figures_and_its_pointer() {
+    let slow = View { motor_rpm: Shown::Value(900), ..driving() };
+    assert_eq!(changed(&slow, &driving(), &DIAL), [false, false, true, true]);
+}
+
+#[test]
+fn bus_r058_motor_and_controller_temperature_stand_on_the_main_screen() {
+    let windows = [(276, 94, 24, 14), (276, 130, 24, 14)];
+    let motor = View { motor_celsius: Shown::Value(75), ..driving() };
+    let inverter = View { inverter_celsius: Shown::Value(59), ..driving() };
+    assert_eq!(changed(&motor, &driving(), &windows), [true, false]);
+    assert_eq!(changed(&inverter, &driving(), &windows), [false, true]);
+}
+
+#[test]
+fn bus_r071_highest_and_lowest_cell_stand_on_the_main_screen() {
+    let windows = [(14, 161, 24, 12), (14, 175, 24, 12), (40, 161, 21, 12), (40, 175, 21, 12)];
+    let view = driving();
+    let changes = [
+        View { cell_millivolts: (Shown::Value(3400), view.cell_millivolts.1), ..view },
+        View { cell_millivolts: (view.cell_millivolts.0, Shown::Value(3200)), ..view },
+        View { cell_celsius: (Shown::Value(40), view.cell_celsius.1), ..view },
+        View { cell_celsius: (view.cell_celsius.0, Shown::Value(20)), ..view },
+    ];
+    for (place, change) in changes.iter().enumerate() {
+        let expected: Vec<bool> = (0..windows.len()).map(|window| window == place).collect();
+        assert_eq!(changed(change, &view, &windows), expected, "window {place}");
+    }
+}
+
+/// Prints what a change costs on the bus, and holds it to a budget in pixels.
+#[test]
+fn small_changes_send_few_pixels() {
+    let speed = |kmh| View { speed_kmh: Shown::Value(kmh), ..driving() };
+    let rows: &[(&str, View, View, usize)] = &[
+        ("heartbeat", driving(), View { heartbeat: false, ..driving() }, 25),
+        ("speed 62 -> 63", speed(62), speed(63), 5_000),
+        ("speed 59 -> 60", speed(59), speed(60), 9_500),
+        ("speed 9 -> 10", speed(9), speed(10), 13_500),
+        ("speed 99 -> 100", speed(99), speed(100), 13_500),
+        ("motor speed +10 rpm", driving(), View { motor_rpm: Shown::Value(4880), ..driving() }, 700),
+        ("power +1 kW", driving(), View { power_hectowatts: Shown::Value(351), ..driving() }, 500),
+        ("one lamp", driving(), View { telltales: lamps(&[Telltale::Ready]), ..driving() }, 484),
+        (
+            "message",
+            driving(),
+            View { line: Some(line(Severity::Stop, "门开", "Door", 1, 1, 1)), ..driving() },
+            7_680,
+        ),
+        ("language", driving(), english(driving()), 76_800),
+    ];
+    println!("{:<22}{:>8}{:>9}{:>12}", "change", "windows", "pixels", "ms at 62.5");
+    for (name, from, to, budget) in rows {
+        let (mut screen, mut panel) = (Screen::new(), Panel::garbage());
+        screen.update(from);
+        panel.receive(&mut screen, TILE_PIXELS);
+        screen.update(to);
+        panel.receive(&mut screen, TILE_PIXELS);
+        // 16 bits per pixel and 11 bytes of window commands at 62.5 Mbit/s.
+        let bits = panel.sent * 16 + panel.windows * 88;
+        println!("{name:<22}{:>8}{:>9}{:>12.2}", panel.windows, panel.sent, bits as f64 / 62_500.0);
+        assert!(panel.sent <= *budget, "{name}: {} pixels, budget {budget}", panel.sent);
+    }
+}
+
+#[test]
+fn a_screen_takes_less_than_four_kilobytes() {
+    let size = size_of::<Screen>();
+    println!("Screen: {size} bytes");
+    assert!(size < 4096, "{size}");
+}
