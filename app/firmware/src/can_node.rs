@@ -1,0 +1,240 @@
+//! The CAN node: an MCP2515 that works, or one that does not answer and is tried again.
+//!
+//! The screen comes up without it; a module that is plugged in later is found within a second.
+
+use mcp2515_can::driver::Verdict;
+use mcp2515_can::{Config, Health, Mcp2515, Mode, Refused, TransmitError};
+use pico::can_port::SpiStuck;
+use pico::{CanInt, CanSpi, Delay};
+use protocol_core::CanFrame;
+
+use crate::recognition;
+
+/// How the controller takes part once the vehicle is known.
+const MODE: Mode = if cfg!(feature = "listen-only") { Mode::ListenOnly } else { Mode::Normal };
+
+/// What changes while the vehicle is looked for.
+#[derive(Clone, Copy)]
+pub struct Settings {
+    bitrate: u32,
+    mode: Mode,
+}
+
+impl Settings {
+    /// An unknown vehicle is only listened to.
+    const FIRST: Self = Self {
+        bitrate: recognition::FIRST_BITRATE,
+        mode: if recognition::FIXED.is_some() { MODE } else { Mode::ListenOnly },
+    };
+
+    const fn config(self) -> Config {
+        Config {
+            oscillator: pico::facts::CAN_OSCILLATOR,
+            bitrate: self.bitrate,
+            mode: self.mode,
+            // Every frame comes in: the bus of one vehicle is a few per cent of what the service manages.
+            acceptance: None,
+        }
+    }
+}
+
+/// Time between two attempts to start the controller, in milliseconds.
+const RETRY_MS: u64 = 1_000;
+
+type Driver = Mcp2515<CanSpi, CanInt>;
+
+enum Chip {
+    Running(Driver),
+    /// Not tried yet, or refused.
+    Down(CanSpi, CanInt),
+    /// An [`Attempt`] has the parts.
+    Away,
+}
+
+/// The parts of the controller on their way through a start, which takes up to 12 ms: long enough to be done without
+/// the lock that keeps the interrupt out.
+pub enum Attempt {
+    /// Start a controller that has not answered yet.
+    Start(CanSpi, CanInt, Settings),
+    /// Start one anew that has gone astray, or that is to listen at another bit rate.
+    Restart(Driver, Settings),
+}
+
+impl Attempt {
+    /// Starts the controller.
+    pub fn run(self) -> Outcome {
+        let started = match self {
+            Self::Start(spi, int, settings) => Mcp2515::new(spi, int, settings.config(), &mut Delay),
+            Self::Restart(mut driver, settings) => match driver.reconfigure(settings.config(), &mut Delay) {
+                Ok(()) => Ok(driver),
+                Err(error) => {
+                    let (spi, int) = driver.free();
+                    Err(Refused { error, spi, int })
+                }
+            },
+        };
+        Outcome(started)
+    }
+}
+
+/// What became of an [`Attempt`].
+pub struct Outcome(Result<Driver, Refused<CanSpi, CanInt>>);
+
+/// What a look at the controller asks for.
+pub enum Care {
+    /// Nothing.
+    Nothing,
+    /// A frame waits although INT is high: serve the interrupt by hand.
+    Poll,
+    /// Run this and hand its outcome to [`CanNode::finish`].
+    Attempt(Attempt),
+}
+
+/// How the CAN node is.
+#[derive(Clone, Copy, Debug)]
+pub struct Status {
+    /// The controller's counters, `None` while it does not answer.
+    pub controller: Option<Health>,
+    /// Frames lost because the queue to the tick was full.
+    pub queue_overflows: u32,
+    /// SPI transactions that failed and start-ups that were refused.
+    pub spi_errors: u32,
+}
+
+/// The CAN node of the cluster.
+pub struct CanNode {
+    chip: Chip,
+    settings: Settings,
+    /// Next attempt to start or restart the controller, in milliseconds since start.
+    retry_ms: u64,
+    queue_overflows: u32,
+    spi_errors: u32,
+}
+
+impl CanNode {
+    /// Returns a node whose controller is started by the first [`Self::supervise`].
+    pub const fn new(spi: CanSpi, int: CanInt) -> Self {
+        Self {
+            chip: Chip::Down(spi, int),
+            settings: Settings::FIRST,
+            retry_ms: 0,
+            queue_overflows: 0,
+            spi_errors: 0,
+        }
+    }
+
+    /// Takes all frames out of the controller; masks INT if it stays low.
+    #[inline(always)]
+    pub fn service(&mut self, mut sink: impl FnMut(CanFrame) -> bool) {
+        let Chip::Running(chip) = &mut self.chip else { return };
+        let mut overflows = 0;
+        let serviced = chip.service(|frame| overflows += u32::from(!sink(frame)));
+        self.queue_overflows = self.queue_overflows.saturating_add(overflows);
+        match serviced {
+            Ok(serviced) if serviced.drained => {}
+            Ok(_) => chip.int().mask(),
+            Err(SpiStuck) => {
+                self.spi_errors = self.spi_errors.saturating_add(1);
+                chip.int().mask();
+            }
+        }
+    }
+
+    /// Lets INT interrupt again, in case a service has masked it; for every tick.
+    pub fn arm(&mut self) {
+        if let Chip::Running(chip) = &mut self.chip {
+            chip.int().arm();
+        }
+    }
+
+    /// Takes a frame for transmission; `false` = try again at the next tick.
+    pub fn transmit(&mut self, frame: &CanFrame, now_ms: u64) -> bool {
+        match &mut self.chip {
+            Chip::Running(chip) => !matches!(chip.transmit(frame, now_ms), Err(TransmitError::Busy)),
+            // Nobody would hear it, now or later.
+            Chip::Down(..) | Chip::Away => true,
+        }
+    }
+
+    /// Looks after the controller; for every 100 ms.
+    pub fn supervise(&mut self, now_ms: u64) -> Care {
+        let astray = match &mut self.chip {
+            Chip::Running(chip) => match chip.supervise(now_ms) {
+                Ok(Verdict::Well) => return Care::Nothing,
+                Ok(Verdict::FrameWaiting) => return Care::Poll,
+                Ok(Verdict::Restart) => true,
+                Err(SpiStuck) => {
+                    self.spi_errors = self.spi_errors.saturating_add(1);
+                    true
+                }
+            },
+            Chip::Down(..) => true,
+            Chip::Away => false,
+        };
+        if !astray || now_ms < self.retry_ms {
+            return Care::Nothing;
+        }
+        self.retry_ms = now_ms + RETRY_MS;
+        self.start_anew()
+    }
+
+    fn start_anew(&mut self) -> Care {
+        match core::mem::replace(&mut self.chip, Chip::Away) {
+            Chip::Running(mut chip) => {
+                // Nobody would answer a low level while the parts are away.
+                chip.int().mask();
+                Care::Attempt(Attempt::Restart(chip, self.settings))
+            }
+            Chip::Down(spi, int) => Care::Attempt(Attempt::Start(spi, int, self.settings)),
+            Chip::Away => Care::Nothing,
+        }
+    }
+
+    /// Listens at another bit rate from now on; at once if the controller runs.
+    pub fn retune(&mut self, bitrate: u32) -> Care {
+        self.settings.bitrate = bitrate;
+        if matches!(self.chip, Chip::Running(_)) { self.start_anew() } else { Care::Nothing }
+    }
+
+    /// Takes part in the bus: the vehicle is known. Not right before [`Self::supervise`].
+    pub fn join(&mut self) {
+        self.settings.mode = MODE;
+        if let Chip::Running(chip) = &mut self.chip
+            && chip.change_mode(MODE).is_err()
+        {
+            self.spi_errors = self.spi_errors.saturating_add(1);
+        }
+    }
+
+    /// Returns whether a frame with an error was on the bus since the last call.
+    pub fn take_message_error(&mut self) -> bool {
+        let Chip::Running(chip) = &mut self.chip else { return false };
+        chip.take_message_error().unwrap_or_else(|SpiStuck| {
+            self.spi_errors = self.spi_errors.saturating_add(1);
+            false
+        })
+    }
+
+    /// Takes the outcome of an attempt.
+    pub fn finish(&mut self, Outcome(outcome): Outcome) {
+        self.chip = match outcome {
+            Ok(mut chip) => {
+                chip.int().arm();
+                Chip::Running(chip)
+            }
+            Err(refused) => {
+                self.spi_errors = self.spi_errors.saturating_add(1);
+                Chip::Down(refused.spi, refused.int)
+            }
+        };
+    }
+
+    /// Returns how the node is.
+    pub fn status(&self) -> Status {
+        let controller = match &self.chip {
+            Chip::Running(chip) => Some(chip.health()),
+            Chip::Down(..) | Chip::Away => None,
+        };
+        Status { controller, queue_overflows: self.queue_overflows, spi_errors: self.spi_errors }
+    }
+}

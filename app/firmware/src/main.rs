@@ -1,0 +1,184 @@
+//! The instrument cluster on a Raspberry Pi Pico: wiring only.
+//!
+//! | task          | trigger               | priority | worst case | locals               | shared               |
+//! |---------------|-----------------------|----------|------------|----------------------|----------------------|
+//! | `can_service` | INT low               | 4        | 60 us      | frames (in)          | can                  |
+//! | `panel_done`  | DMA 0 at its end      | 3        | 2 us       | tile done            |                      |
+//! | `link_done`   | DMA 1 at its end      | 3        | 5 us       |                      | link                 |
+//! | (timer queue) | TIMER alarm           | 3        | 10 us      |                      |                      |
+//! | `tick`        | every 10 ms           | 2        | 2 ms, 12 * | frames (out), wires  | can, cluster         |
+//! | `draw`        | a new view            | 1        | 150 ms     | panel, tiles, screen | shown                |
+//! | `report`      | every 200 ms          | 1        | 5 ms       |                      | can, cluster, ...    |
+//! | `idle`        | nothing else          | 0        |            |                      |                      |
+//!
+//! \* 12 ms in the tick that starts a CAN controller; interrupts stay on meanwhile.
+//!
+//! Reception outranks everything and is never masked for longer than one lock of `can`: a frame of 47 bits at
+//! 250 kbit/s leaves 376 us. `draw` and `report` give way to each other at every `await`, to all else at once.
+//! `tick` feeds the watchdog, and only while `draw` makes progress: a cluster whose picture stands still is reset.
+//!
+//! The node only listens until `tick` knows the vehicle, at the bit rate at which frames are heard (`recognition`).
+//!
+//! Words of a panic or hard fault are kept over the reset, reported, and shown.
+
+#![no_std]
+#![no_main]
+#![allow(
+    unreachable_pub,
+    reason = "nothing is reachable in a binary, and RTIC wants the types of its tasks public"
+)]
+
+mod can_node;
+mod conditions;
+mod queue;
+mod recognition;
+mod tasks;
+mod telemetry;
+
+use core::panic::PanicInfo;
+
+use portable_atomic as _;
+
+#[rtic::app(device = pico::pac, dispatchers = [SW0_IRQ, SW1_IRQ])]
+mod app {
+    use core::mem::MaybeUninit;
+
+    use cluster::{Cluster, View};
+    use pico::{Backlight, Boot, Buttons, Buzzer, Led, LinkPort, Memory, PanelPort};
+    use rtic_monotonics::rp2040::prelude::*;
+    use rtic_sync::make_signal;
+    use rtic_sync::signal::{SignalReader, SignalWriter};
+
+    use crate::can_node::CanNode;
+    use crate::queue::{FrameQueue, FrameReader, FrameWriter};
+    use crate::recognition::{self, Recognition};
+    use crate::tasks::{Tile, Watch, draw, idle, link_done, panel_done, report, tick};
+
+    rp2040_timer_monotonic!(Mono);
+
+    #[shared]
+    struct Shared {
+        can: CanNode,
+        cluster: Cluster,
+        /// What the panel shows.
+        shown: View,
+        link: LinkPort,
+        boot: Boot,
+    }
+
+    #[local]
+    struct Local {
+        frames_in: FrameWriter,
+        frames_out: FrameReader,
+        views_in: SignalWriter<'static, View>,
+        views_out: SignalReader<'static, View>,
+        tile_done_in: SignalWriter<'static, ()>,
+        tile_done_out: SignalReader<'static, ()>,
+        panel: PanelPort,
+        tiles: [Tile; 2],
+        backlight: Backlight,
+        buttons: Buttons,
+        buzzer: Buzzer,
+        led: Led,
+        recognition: Recognition,
+        watch: Watch,
+    }
+
+    #[init(local = [
+        memory: Memory = Memory::new(),
+        queue: FrameQueue = FrameQueue::new(),
+        #[unsafe(link_section = ".uninit.tiles")]
+        tile_a: MaybeUninit<[u16; ui::TILE_PIXELS]> = MaybeUninit::uninit(),
+        #[unsafe(link_section = ".uninit.tiles")]
+        tile_b: MaybeUninit<[u16; ui::TILE_PIXELS]> = MaybeUninit::uninit(),
+    ])]
+    fn init(cx: init::Context) -> (Shared, Local) {
+        let mut board = pico::init(cx.device, cx.local.memory);
+        Mono::start(board.timer, &board.resets, Priority::rtic_default());
+        pico::start_watchdog(&mut board.watchdog);
+
+        let can = CanNode::new(board.can_spi, board.can_int);
+        let (frames_in, frames_out) = cx.local.queue.split();
+        let (views_in, views_out) = make_signal!(View);
+        let (tile_done_in, tile_done_out) = make_signal!(());
+
+        // Each is spawned once and never ends: there is always room.
+        let _ = (tick::spawn(), draw::spawn(), report::spawn());
+        (
+            Shared {
+                can,
+                cluster: recognition::cluster(),
+                shown: View::default(),
+                link: board.link,
+                boot: board.boot,
+            },
+            Local {
+                frames_in,
+                frames_out,
+                views_in,
+                views_out,
+                tile_done_in,
+                tile_done_out,
+                panel: board.panel,
+                // Cleared here and not by start-up code, which runs at 6 MHz: 4 ms less to the first picture.
+                tiles: [
+                    cx.local.tile_a.write([0; ui::TILE_PIXELS]),
+                    cx.local.tile_b.write([0; ui::TILE_PIXELS]),
+                ],
+                backlight: board.backlight,
+                buttons: board.buttons,
+                buzzer: board.buzzer,
+                led: board.led,
+                recognition: Recognition::new(),
+                watch: Watch::new(board.watchdog),
+            },
+        )
+    }
+
+    // Not `extern` like the others: those take no attribute, and this one's entry lives in RAM.
+    #[task(binds = IO_IRQ_BANK0, priority = 4, local = [frames_in], shared = [can])]
+    #[unsafe(link_section = ".data.ram.can_interrupt")]
+    fn can_service(cx: can_service::Context) {
+        crate::tasks::can_service(cx);
+    }
+
+    extern "Rust" {
+        #[task(binds = DMA_IRQ_0, priority = 3, local = [tile_done_in])]
+        fn panel_done(cx: panel_done::Context);
+
+        #[task(binds = DMA_IRQ_1, priority = 3, shared = [link])]
+        fn link_done(cx: link_done::Context);
+
+        #[task(
+            priority = 2,
+            local = [frames_out, views_in, buttons, buzzer, led, recognition, watch],
+            shared = [can, cluster, &boot],
+        )]
+        async fn tick(cx: tick::Context);
+
+        #[task(
+            priority = 1,
+            local = [panel, tiles, backlight, views_out, tile_done_out],
+            shared = [shown, &boot],
+        )]
+        async fn draw(cx: draw::Context);
+
+        #[task(priority = 1, shared = [can, cluster, shown, link, &boot])]
+        async fn report(cx: report::Context);
+
+        #[idle]
+        fn idle(cx: idle::Context) -> !;
+    }
+}
+
+/// The one place that decides what becomes of a panic: its words are kept, the chip starts anew and shows them.
+#[panic_handler]
+fn panic(info: &PanicInfo) -> ! {
+    pico::retained::leave_panic(info)
+}
+
+/// A hard fault is treated like a panic; its words are the address of the instruction.
+#[cortex_m_rt::exception]
+unsafe fn HardFault(frame: &cortex_m_rt::ExceptionFrame) -> ! {
+    pico::retained::leave_fault(frame.pc())
+}

@@ -1,0 +1,137 @@
+//! Every 10 ms: frames in, the cluster's logic, frames and sounds out; feeds the watchdog.
+
+use heapless::Deque;
+use pico::{Buttons, Buzzer, Led, now_us};
+use protocol_core::{CanFrame, Millis};
+use rtic::Mutex;
+use rtic_monotonics::Timebase;
+use rtic_monotonics::fugit::ExtU64;
+
+use crate::app::{Mono, tick::Context};
+use crate::can_node::Care;
+use crate::conditions;
+use crate::queue::{FrameReader, Stamped};
+use crate::tasks::draw;
+
+/// Period of the tick in milliseconds.
+const PERIOD_MS: u64 = 10;
+/// Ticks between two views: 20 pictures a second.
+const VIEW_TICKS: u32 = 5;
+/// Ticks between two looks at the CAN controller.
+const SUPERVISE_TICKS: u32 = 10;
+/// Ticks that `draw` may take for one picture before the watchdog is no longer fed: 500 ms, twice the longest.
+const DRAW_LIMIT_TICKS: u32 = 50;
+/// Frames that wait for the controller's one transmit buffer.
+const WAITING: usize = 8;
+/// Frames taken out of the queue in one tick: what it holds.
+const FRAMES_PER_TICK: usize = 128;
+
+/// Feeds the watchdog as long as `draw` makes progress.
+pub struct Watch {
+    watchdog: pico::Watchdog,
+    drawn: u32,
+    idle_ticks: u32,
+}
+
+impl Watch {
+    /// Takes the running watchdog.
+    pub const fn new(watchdog: pico::Watchdog) -> Self {
+        Self { watchdog, drawn: 0, idle_ticks: 0 }
+    }
+
+    fn tick(&mut self) {
+        let drawn = draw::progress();
+        self.idle_ticks = if drawn == self.drawn { self.idle_ticks.saturating_add(1) } else { 0 };
+        self.drawn = drawn;
+        if self.idle_ticks <= DRAW_LIMIT_TICKS {
+            self.watchdog.feed();
+        }
+    }
+}
+
+/// Runs the cluster, for ever.
+pub async fn tick(mut cx: Context<'_>) {
+    let local = cx.local;
+    let mut waiting = Deque::<CanFrame, WAITING>::new();
+    let mut next = Mono::now();
+    let mut ticks: u32 = 0;
+    loop {
+        let now = Millis(now_us() / 1_000);
+        cx.shared.cluster.lock(|cluster| {
+            receive(local.frames_out, |frame, at| {
+                local.recognition.hear(cluster, frame, at);
+            });
+            cluster.tick(&inputs(local.buttons), now);
+            while let Some(frame) = cluster.transmit(now) {
+                // A full queue means that the bus takes nothing: the oldest is worth least.
+                if waiting.is_full() {
+                    waiting.pop_front();
+                }
+                let _ = waiting.push_back(frame);
+            }
+            sound(local.buzzer, cluster.chime(now));
+        });
+
+        // The second tick is the first of these: by then the panel has been woken and no longer waits for the CPU.
+        let supervise = ticks % SUPERVISE_TICKS == 1;
+        let care = cx.shared.can.lock(|can| {
+            can.arm();
+            if waiting.front().is_some_and(|frame| can.transmit(frame, now.0)) {
+                waiting.pop_front();
+            }
+            if supervise { can.supervise(now.0) } else { Care::Nothing }
+        });
+        match care {
+            Care::Nothing => {}
+            Care::Poll => rtic::pend(pico::pac::Interrupt::IO_IRQ_BANK0),
+            Care::Attempt(attempt) => {
+                let outcome = attempt.run();
+                cx.shared.can.lock(|can| can.finish(outcome));
+            }
+        }
+        if let Care::Attempt(attempt) = cx.shared.can.lock(|can| local.recognition.listen(can, now)) {
+            let outcome = attempt.run();
+            cx.shared.can.lock(|can| can.finish(outcome));
+        }
+
+        if ticks.is_multiple_of(VIEW_TICKS) {
+            let mut view = cx.shared.cluster.lock(|cluster| cluster.view(now));
+            let controller = cx.shared.can.lock(|can| can.status()).controller;
+            conditions::add(&mut view, controller.is_some(), local.recognition, cx.shared.boot, now);
+            show_life(local.led, view.heartbeat);
+            local.views_in.write(view);
+        }
+        local.watch.tick();
+        ticks = ticks.wrapping_add(1);
+        next += PERIOD_MS.millis();
+        Mono::delay_until(next).await;
+    }
+}
+
+/// Hands over what is in the queue, with the time at which each frame was received.
+fn receive(queue: &mut FrameReader, mut sink: impl FnMut(&CanFrame, Millis)) {
+    for _ in 0..FRAMES_PER_TICK {
+        let Some(Stamped { frame, at_us }) = queue.dequeue() else { return };
+        // The stamp has 32 bits; its age tells the rest.
+        let now = now_us();
+        let age = (now as u32).wrapping_sub(at_us);
+        sink(&frame, Millis((now - u64::from(age)) / 1_000));
+    }
+}
+
+fn inputs(buttons: &mut Buttons) -> cluster::Inputs {
+    let [next, menu] = buttons.held();
+    cluster::Inputs {
+        key: cluster::Key::On,
+        buttons: cluster::Buttons { next, menu },
+        ..cluster::Inputs::default()
+    }
+}
+
+fn sound(buzzer: &mut Buzzer, chime: Option<cluster::Chime>) {
+    buzzer.sound(chime.filter(|chime| chime.is_on).map(|chime| chime.frequency_hz));
+}
+
+fn show_life(led: &mut Led, lit: bool) {
+    led.set(lit);
+}

@@ -1,0 +1,123 @@
+//! From the state of the firmware to records of the PC link: conversions only.
+
+use cluster::{Cluster, Counters, View};
+use pico::{Boot, Reset};
+use protocol_core::link::{
+    CHUNK, CanState, Chunk, Excerpt, Health, Record, ResetReason, Sample, Screen, ScreenLine, text_id,
+};
+use protocol_core::{Millis, Shown, Value, Vehicle};
+
+use mcp2515_can::BusState;
+
+use crate::can_node::Status;
+
+/// First 32 bits of the build's identity; whoever builds sets `CLUSTER_BUILD` to eight hexadecimal digits.
+const BUILD: u32 = match option_env!("CLUSTER_BUILD") {
+    Some(digits) => match u32::from_str_radix(digits, 16) {
+        Ok(build) => build,
+        Err(_) => panic!("CLUSTER_BUILD is not a hexadecimal number of up to eight digits"),
+    },
+    None => 0,
+};
+
+/// Who speaks; no name while the vehicle is not known.
+pub fn hello(vehicle: &Vehicle) -> Record {
+    Record::Hello { version: env!("CARGO_PKG_VERSION").into(), vehicle: vehicle.name.into(), build: BUILD }
+}
+
+/// The last words of the previous run, if it had any.
+pub fn last_words(boot: &Boot) -> Option<Record> {
+    boot.note.map(|note| Record::Panic { line: note.line, text: Excerpt::from(note.text()) })
+}
+
+/// What the tasks measure of themselves.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Measured {
+    /// Pictures sent.
+    pub draws: u32,
+    /// Longest time from a view to the last pixel, in microseconds.
+    pub max_draw_us: u32,
+    /// Share of the last second that the CPU slept, in 0.1 %.
+    pub idle_permille: u16,
+}
+
+/// How the firmware is.
+pub fn health(can: Status, counters: Counters, boot: &Boot, measured: Measured, now_ms: u64) -> Record {
+    let chip = can.controller.unwrap_or_default();
+    Record::Health(Health {
+        uptime_ms: now_ms,
+        frames_received: chip.received,
+        frames_dropped_short: counters.too_short,
+        frames_unknown: counters.unknown,
+        overruns: chip.overruns,
+        ring_overflows: can.queue_overflows,
+        can_state: match (can.controller.is_some(), chip.state) {
+            (false, _) => CanState::Offline,
+            (true, BusState::Active) => CanState::ErrorActive,
+            (true, BusState::Warning) => CanState::Warning,
+            (true, BusState::Passive) => CanState::ErrorPassive,
+            (true, BusState::BusOff) => CanState::BusOff,
+        },
+        tec: chip.transmit_errors,
+        rec: chip.receive_errors,
+        frames_sent: chip.sent,
+        spi_errors: can.spi_errors.saturating_add(chip.undrained),
+        draws: measured.draws,
+        max_draw_us: measured.max_draw_us,
+        idle_permille: measured.idle_permille,
+        resets: boot.resets,
+        last_reset: match boot.reset {
+            Reset::Power => ResetReason::Power,
+            Reset::Pin => ResetReason::Pin,
+            Reset::Watchdog => ResetReason::Watchdog,
+            Reset::Panic => ResetReason::Panic,
+        },
+    })
+}
+
+/// The values from `first` on, as many as a record holds.
+pub fn values(cluster: &Cluster, first: usize, now: Millis) -> Record {
+    let items = Value::ALL.iter().skip(first).take(CHUNK);
+    let items: Chunk = items.map(|&value| Sample::from(cluster.shown(value, now))).collect();
+    Record::Values { first: first as u8, items }
+}
+
+/// What the screen shows.
+pub fn screen(view: &View, now_ms: u64) -> Record {
+    Record::Shown(Screen {
+        time_ms: now_ms,
+        speed_kmh: sample(view.speed_kmh),
+        gear: view.gear.map_or(0, cluster_gear),
+        soc_percent: sample(view.soc_percent),
+        pack_decivolts: sample(view.pack_decivolts),
+        pack_deciamps: sample(view.pack_deciamps),
+        motor_rpm: sample(view.motor_rpm),
+        motor_celsius: sample(view.motor_celsius),
+        inverter_celsius: sample(view.inverter_celsius),
+        odometer_hectometres: view.odometer_hectometres,
+        telltales: view.telltales.bits(),
+        line: view.line.map(|line| ScreenLine {
+            text: text_id(line.text.en),
+            code: line.code,
+            severity: line.severity as u8,
+            position: line.position,
+            count: line.count,
+        }),
+    })
+}
+
+fn sample(shown: Shown<impl Into<i32>>) -> Sample {
+    shown.map(Into::into).into()
+}
+
+/// The inverse of `Gear::from_model`.
+fn cluster_gear(gear: protocol_core::model::Gear) -> u8 {
+    use protocol_core::model::Gear;
+    match gear {
+        Gear::D => 1,
+        Gear::R => 2,
+        Gear::N => 3,
+        Gear::P => 4,
+        Gear::Forward(number) => 10 + number,
+    }
+}
