@@ -1,0 +1,88 @@
+//! Everything that CI runs; what is not in here is not a rule.
+
+use crate::steps::{Outcome, Steps};
+use crate::{
+    codecs, codegen, dbc, figures, firmware, flash, layers, reference, rules, run, screens, test, toolchain,
+    workspace,
+};
+use anyhow::{Context, Result, bail};
+use std::process::Command;
+
+/// Runs all checks, all tests and the bench, and sums up.
+///
+/// # Errors
+/// If any step failed.
+pub fn run() -> Result<()> {
+    let mut steps = Steps::default();
+    steps.run("tools that the tests ask for a second opinion", install_tools);
+    steps.run("fmt", || workspace::run(workspace::cargo().args(["fmt", "--all", "--check"])));
+    steps.run("layers", layers::run);
+    steps.run("generated codecs are up to date", || codegen::run(&codegen::Options { check: true }));
+    steps.run("reference pages are up to date", || reference::run(&reference::Options { check: true }));
+    steps.run("every rule of the cluster has a test", || rules::run(&rules::Options { check: true }));
+    steps.run("DBC files are clean", || dbc::run(&dbc::Options::default()));
+    steps.run("clippy on the PC", || clippy(workspace::cargo(), &[], &["--all-targets"]));
+    steps.run("clippy for the chip", || {
+        let toolchain = toolchain::Toolchain::find_or_install()?;
+        let target = ["--target", toolchain::TARGET, "--package", "firmware", "--package", "pico"];
+        let target: Vec<&str> = target.iter().chain(toolchain.arguments()).copied().collect();
+        clippy(toolchain.cargo(), &target, &[])
+    });
+    steps.try_run("licences and advisories", deny);
+    test::run_steps(&mut steps, &[]);
+    steps.run("screens", || screens::run(&screens::Options::default()));
+    steps.run("size", || firmware::size(&firmware::Options::default()));
+    steps.run("run --headless", || run::headless_for_ci(&crate::output_folder()?.join("drive.png")));
+    steps.run("figures in the README", || figures::run(&figures::Options { check: true }));
+    steps.run("codec costs in the docs", || codecs::run(&codecs::Options { check: true }));
+    steps.run("flash --dry-run", flash::dry_run);
+    steps.finish()
+}
+
+fn clippy(mut cargo: Command, before: &[&str], after: &[&str]) -> Result<()> {
+    workspace::run(cargo.args(["clippy", "--quiet"]).args(before).args(after).args(["--", "-D", "warnings"]))
+}
+
+/// Installs what a fresh CI machine lacks; on a person's machine it only says what to type.
+fn install_tools() -> Result<()> {
+    if workspace::has("qemu-system-arm") {
+        println!("qemu-system-arm is here");
+        return Ok(());
+    }
+    if !workspace::is_ci() {
+        println!("qemu-system-arm is missing, its tests will be skipped: `apt-get install qemu-system-arm`");
+        return Ok(());
+    }
+    let apt = |arguments: &[&str]| {
+        workspace::run(
+            Command::new("apt-get").env("DEBIAN_FRONTEND", "noninteractive").arg("-qq").args(arguments),
+        )
+    };
+    apt(&["update"])
+        .and_then(|()| apt(&["install", "-y", "--no-install-recommends", "qemu-system-arm"]))
+        .context("cannot install qemu-system-arm; type `apt-get install qemu-system-arm`")
+}
+
+fn deny() -> Result<Outcome> {
+    if !workspace::has("cargo-deny") {
+        let install = ["install", "--quiet", "--locked", "cargo-deny"];
+        if !workspace::is_ci() {
+            return Ok(Outcome::Skipped("cargo-deny is missing: `cargo install --locked cargo-deny`".into()));
+        }
+        workspace::run(workspace::cargo().args(install))?;
+    }
+    // Advisories need the advisory database from the network; licences, bans and sources do not.
+    let mut checks = workspace::cargo();
+    workspace::run(checks.args(["deny", "--all-features", "check", "licenses", "bans", "sources"]))?;
+    let mut advisories = workspace::cargo();
+    match workspace::capture(advisories.args(["deny", "check", "advisories"])) {
+        Ok(_) => Ok(Outcome::Done),
+        Err(error) if format!("{error:#}").contains("failed to fetch advisory database") => {
+            println!(
+                "the advisory database cannot be reached from here; licences, bans and sources are checked"
+            );
+            Ok(Outcome::Done)
+        }
+        Err(error) => bail!("{error:#}"),
+    }
+}

@@ -1,0 +1,36 @@
+//! Generates `protocol-core/src/generated/` from the vehicles' folders.
+
+use anyhow::{Result, bail};
+use clap::Args;
+
+/// What to do with the generated files.
+#[derive(Args, Debug, Default)]
+pub struct Options {
+    /// Compares with the committed files and writes nothing.
+    #[arg(long)]
+    pub check: bool,
+}
+
+/// Writes the generated files, or checks that they are up to date.
+///
+/// # Errors
+/// If a vehicle is wrong (file, line and what is wrong), or a committed file is stale.
+pub fn run(options: &Options) -> Result<()> {
+    let root = crate::workspace::root();
+    if options.check {
+        return match vehicle_compiler::check(&root) {
+            Ok(()) => {
+                println!("generated files are up to date");
+                Ok(())
+            }
+            Err(problem) => bail!("{problem}"),
+        };
+    }
+    match vehicle_compiler::write(&root) {
+        Ok(files) => {
+            files.iter().for_each(|file| println!("{}", file.display()));
+            Ok(())
+        }
+        Err(problem) => bail!("{problem}"),
+    }
+}

@@ -1,0 +1,521 @@
+//! Turns every frame of a recording into the signals of a vehicle.
+//!
+//! One row per signal: time, identifier, message, signal, raw value, exact value, unit, whether it is valid, and the
+//! word of the value table. A file is read whole; stdin is decoded line by line, so that `candump -ta can0 |
+//! cargo xtask decode -` is live. What cannot be decoded is counted and summed up on stderr, never dropped silently.
+
+use crate::vehicles::{self, Tables, can_frame, can_id, seconds, short_seconds, value_of, with_unit};
+use anyhow::{Context, Result, bail};
+use bench::can::Frame;
+use bench::log::{Log, LogError};
+use bench::time::Nanos;
+use clap::{Args, ValueEnum};
+use protocol_core::CanId;
+use protocol_core::codec::{MessageInfo, SignalInfo};
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, BufRead, BufWriter, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+/// What to decode and how to print it.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// Recording (candump, Vector ASC or GVRET CSV); `-` reads stdin line by line.
+    #[arg(default_value = "-")]
+    file: PathBuf,
+    /// Vehicle whose tables to use; found from the identifiers heard if not given.
+    #[arg(long)]
+    vehicle: Option<String>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Prints only these signals: names or MESSAGE.signal, `*` and `?` stand for anything; may be repeated.
+    #[arg(long, value_name = "GLOB", num_args = 1..)]
+    signals: Vec<String>,
+    /// Prints the recorder's own time instead of seconds since the first frame.
+    #[arg(long)]
+    absolute: bool,
+}
+
+/// Form of the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Aligned columns for people.
+    Text,
+    /// One JSON object per line.
+    Json,
+    /// Comma-separated, with a header.
+    Csv,
+}
+
+/// Decodes a recording to stdout.
+///
+/// # Errors
+/// If the recording cannot be read, no vehicle fits it, or a pattern matches no signal.
+pub fn run(options: &Options) -> Result<()> {
+    quiet_if_closed(if options.file == Path::new("-") { live(options) } else { whole(options) })
+}
+
+/// Turns "nobody reads on" into an end without an error: `decode ... | head` is no mistake.
+pub fn quiet_if_closed(result: Result<()>) -> Result<()> {
+    let closed = |error: &anyhow::Error| {
+        let error = error.downcast_ref::<io::Error>();
+        error.is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+    };
+    result.or_else(|error| if closed(&error) { Ok(()) } else { Err(error) })
+}
+
+fn whole(options: &Options) -> Result<()> {
+    let log = Log::read_file(&options.file)?;
+    let tables = Tables::of_log(&log, options.vehicle.as_deref())?;
+    let mut tally = Tally { bus_errors: log.error_frames, ..Tally::default() };
+    let mut out = BufWriter::new(io::stdout().lock());
+    let printer = Printer::new(tables, options)?;
+    printer.head(&mut out)?;
+    for entry in &log.entries {
+        printer.frame(&mut out, log.origin, entry.at, &entry.frame, &mut tally)?;
+    }
+    out.flush()?;
+    tally.report(tables);
+    Ok(())
+}
+
+fn live(options: &Options) -> Result<()> {
+    if io::stdin().is_terminal() {
+        bail!("no recording: name a file, or pipe one in: `candump -ta can0 | cargo xtask decode -`");
+    }
+    let mut tally = Tally::default();
+    let mut out = BufWriter::new(io::stdout().lock());
+    let wanted = options.vehicle.as_deref().map(Tables::named).transpose()?;
+    let mut printer = wanted.map(|tables| Printer::new(tables, options)).transpose()?;
+    if let Some(printer) = &printer {
+        printer.head(&mut out)?;
+    }
+    let mut lines = LineByLine::default();
+    for line in io::stdin().lock().lines() {
+        let line = line.with_context(|| format!("stdin:{}: cannot be read as text", lines.number + 1))?;
+        let Some((at, frame)) = lines.read(&line)? else { continue };
+        if printer.is_none()
+            && let Some(tables) = Tables::sending(can_id(frame.id))
+        {
+            let found = Printer::new(tables, options)?;
+            eprintln!("vehicle  {} (first heard: {})", tables.vehicle.name, can_id(frame.id));
+            found.head(&mut out)?;
+            printer = Some(found);
+        }
+        match &printer {
+            Some(printer) => printer.frame(&mut out, lines.origin, at, &frame, &mut tally)?,
+            None => tally.unknown(can_id(frame.id), at),
+        }
+        // Whoever watches a live bus must see each frame at once.
+        out.flush()?;
+    }
+    lines.finish()?;
+    tally.bus_errors = lines.bus_errors;
+    let Some(printer) = printer else { bail!(vehicles::no_vehicle(tally.unknown.keys().copied())) };
+    tally.report(printer.tables);
+    Ok(())
+}
+
+/// Reads a recording that is still being written, one line at a time.
+#[derive(Default)]
+struct LineByLine {
+    /// Everything up to the first frame: it says which format this is.
+    head: String,
+    /// Lines read so far.
+    number: usize,
+    origin: Nanos,
+    last: Option<Nanos>,
+    /// Bus errors in the head, counted again with every line.
+    head_errors: usize,
+    bus_errors: usize,
+    /// Why the head is no recording yet.
+    pending: Option<LogError>,
+}
+
+impl LineByLine {
+    /// Longest head: the formats put a few lines before the first frame.
+    const HEAD_LINES: usize = 1_000;
+
+    /// Returns the frame of the next line, with its time since the first.
+    fn read(&mut self, line: &str) -> Result<Option<(Nanos, Frame)>, LogError> {
+        self.number += 1;
+        let Some(last) = self.last else { return self.read_head(line) };
+        let log = Log::parse("stdin", &format!("{}{line}\n", self.head))
+            .map_err(|error| LogError { line: self.number, ..error })?;
+        self.bus_errors += log.error_frames - self.head_errors;
+        // The head holds one frame; a second one is this line's.
+        let Some(entry) = log.entries.get(1) else { return Ok(None) };
+        if entry.at < last {
+            let problem = "time goes back; sort the log by time first".into();
+            return Err(LogError { file: "stdin".into(), line: self.number, problem });
+        }
+        self.last = Some(entry.at);
+        Ok(Some((entry.at, entry.frame)))
+    }
+
+    fn read_head(&mut self, line: &str) -> Result<Option<(Nanos, Frame)>, LogError> {
+        self.head.push_str(line);
+        self.head.push('\n');
+        match Log::parse("stdin", &self.head) {
+            Ok(log) => {
+                (self.origin, self.last) = (log.origin, Some(Nanos::ZERO));
+                (self.head_errors, self.bus_errors) = (log.error_frames, log.error_frames);
+                self.pending = None;
+                Ok(log.entries.first().map(|entry| (entry.at, entry.frame)))
+            }
+            Err(error) if error.line == self.number || self.number >= Self::HEAD_LINES => Err(error),
+            Err(error) => {
+                self.pending = Some(error);
+                Ok(None)
+            }
+        }
+    }
+
+    fn finish(&mut self) -> Result<(), LogError> {
+        let empty = || LogError { file: "stdin".into(), line: 0, problem: "the log holds no frame".into() };
+        match self.last {
+            Some(_) => Ok(()),
+            None => Err(self.pending.take().unwrap_or_else(empty)),
+        }
+    }
+}
+
+/// What became of the frames.
+#[derive(Default)]
+struct Tally {
+    decoded: usize,
+    heard: BTreeSet<CanId>,
+    unknown: BTreeMap<CanId, usize>,
+    short: BTreeMap<CanId, usize>,
+    remote: usize,
+    bus_errors: usize,
+    last: Nanos,
+}
+
+impl Tally {
+    fn unknown(&mut self, id: CanId, at: Nanos) {
+        self.last = at;
+        *self.unknown.entry(id).or_default() += 1;
+    }
+
+    /// Sums up on stderr; what did not happen is not mentioned.
+    fn report(&self, tables: Tables) {
+        let (unknown, short) = (self.unknown.values().sum::<usize>(), self.short.values().sum::<usize>());
+        let frames = self.decoded + unknown + short + self.remote;
+        eprintln!(
+            "vehicle  {}: {} of its {} messages heard",
+            tables.vehicle.name,
+            self.heard.len(),
+            tables.messages.len()
+        );
+        let span = short_seconds(self.last.0 / 1_000_000);
+        eprintln!("frames   {frames} in {span} s, {} decoded", self.decoded);
+        if unknown > 0 {
+            eprintln!("unknown  {unknown}: {}", listed(&self.unknown, ToString::to_string));
+        }
+        for other in Tables::all().filter(|other| other.vehicle.name != tables.vehicle.name) {
+            let theirs = self.unknown.keys().filter(|id| other.message(**id).is_some()).count();
+            if theirs > 0 {
+                eprintln!("         {theirs} of these identifiers are those of `{}`", other.vehicle.name);
+            }
+        }
+        if short > 0 {
+            let name = |id: &CanId| tables.message(*id).map_or("", |message| message.name);
+            eprintln!("short    {short}: {}", listed(&self.short, |id| format!("{} ({id})", name(id))));
+        }
+        if self.remote > 0 {
+            eprintln!("remote   {} requests, which carry no signals", self.remote);
+        }
+        if self.bus_errors > 0 {
+            eprintln!("errors   {} error frames recorded", self.bus_errors);
+        }
+    }
+}
+
+/// Returns the most frequent identifiers with their counts.
+fn listed(counts: &BTreeMap<CanId, usize>, name: impl Fn(&CanId) -> String) -> String {
+    const MOST: usize = 6;
+    let mut sorted: Vec<_> = counts.iter().collect();
+    sorted.sort_by_key(|(id, count)| (std::cmp::Reverse(**count), **id));
+    let shown: Vec<String> =
+        sorted.iter().take(MOST).map(|(id, count)| format!("{} x {count}", name(id))).collect();
+    let more = counts.len().saturating_sub(MOST);
+    let more = if more > 0 { format!(" and {more} more identifiers") } else { String::new() };
+    shown.join(", ") + &more
+}
+
+/// One signal of one frame.
+struct Row<'a> {
+    time: String,
+    message: &'a MessageInfo,
+    signal: &'a SignalInfo,
+    raw: i64,
+    /// Exact decimal; `None` = not valid.
+    value: Option<String>,
+}
+
+/// Prints rows in one form, with columns as wide as the vehicle's names.
+struct Printer {
+    tables: Tables,
+    format: Format,
+    absolute: bool,
+    /// Messages by identifier, each with the indices of the signals to print.
+    messages: BTreeMap<CanId, (&'static MessageInfo, Vec<usize>)>,
+    widths: (usize, usize),
+}
+
+impl Printer {
+    fn new(tables: Tables, options: &Options) -> Result<Self> {
+        let full = |message: &MessageInfo, signal: &SignalInfo| format!("{}.{}", message.name, signal.name);
+        let fits = |pattern: &String, message: &MessageInfo, signal: &SignalInfo| {
+            matches_glob(pattern, signal.name) || matches_glob(pattern, &full(message, signal))
+        };
+        let all =
+            || tables.messages.iter().flat_map(|message| message.signals.iter().map(move |s| (message, s)));
+        for pattern in &options.signals {
+            if !all().any(|(message, signal)| fits(pattern, message, signal)) {
+                let names: Vec<String> = all().flat_map(|(m, s)| [s.name.to_owned(), full(m, s)]).collect();
+                let near = vehicle_compiler::lint::did_you_mean(pattern, names.iter().map(String::as_str));
+                bail!("no signal of `{}` matches `{pattern}`{near}", tables.vehicle.name);
+            }
+        }
+        let wanted = |message: &MessageInfo, signal: &SignalInfo| {
+            options.signals.is_empty() || options.signals.iter().any(|pattern| fits(pattern, message, signal))
+        };
+        let row = |message: &'static MessageInfo| {
+            let indices =
+                (0..message.signals.len()).filter(|&index| wanted(message, &message.signals[index]));
+            (message.id, (message, indices.collect()))
+        };
+        let messages: BTreeMap<CanId, (&'static MessageInfo, Vec<usize>)> =
+            tables.messages.iter().map(row).collect();
+        let printed = || messages.values().filter(|(_, indices)| !indices.is_empty());
+        let message_width = printed().map(|(message, _)| message.name.len()).max().unwrap_or(0);
+        let names =
+            printed().flat_map(|(message, indices)| indices.iter().map(|&index| message.signals[index].name));
+        let signal_width = names.map(str::len).max().unwrap_or(0);
+        Ok(Self {
+            tables,
+            format: options.format,
+            absolute: options.absolute,
+            widths: (message_width.max("message".len()), signal_width.max("signal".len())),
+            messages,
+        })
+    }
+
+    /// Prints what stands above the rows.
+    fn head(&self, out: &mut impl Write) -> io::Result<()> {
+        let (message, signal) = self.widths;
+        match self.format {
+            Format::Text => writeln!(
+                out,
+                "{:>w$}  {:8}  {:message$}  {:signal$}  {:>10}  value",
+                "time",
+                "id",
+                "message",
+                "signal",
+                "raw",
+                w = self.time_width()
+            ),
+            Format::Json => Ok(()),
+            Format::Csv => writeln!(out, "time,id,message,signal,raw,value,unit,valid,word"),
+        }
+    }
+
+    fn time_width(&self) -> usize {
+        if self.absolute { 17 } else { 12 }
+    }
+
+    fn frame(
+        &self,
+        out: &mut impl Write,
+        origin: Nanos,
+        at: Nanos,
+        frame: &Frame,
+        tally: &mut Tally,
+    ) -> io::Result<()> {
+        tally.last = at;
+        let Some(frame) = can_frame(frame) else {
+            tally.remote += 1;
+            return Ok(());
+        };
+        let Some((message, signals)) = self.messages.get(&frame.id) else {
+            tally.unknown(frame.id, at);
+            return Ok(());
+        };
+        if frame.len() < message.len {
+            *tally.short.entry(frame.id).or_default() += 1;
+            return Ok(());
+        }
+        tally.decoded += 1;
+        tally.heard.insert(frame.id);
+        let data = frame.padded();
+        let time = if self.absolute { seconds(origin + at) } else { seconds(at) };
+        for &index in signals {
+            let signal = &message.signals[index];
+            if !message.carries(signal, data) {
+                continue;
+            }
+            let Some((raw, counts)) = (message.get)(index, *data) else { continue };
+            let value = counts.map(|counts| vehicles::decimal(counts, signal.scale.den));
+            self.row(out, &Row { time: time.clone(), message, signal, raw, value })?;
+        }
+        Ok(())
+    }
+
+    fn row(&self, out: &mut impl Write, row: &Row<'_>) -> io::Result<()> {
+        let Row { time, message, signal, raw, value } = row;
+        let word = signal.word(*raw);
+        match self.format {
+            Format::Text => {
+                let shown = match (value, word) {
+                    (Some(_), Some(word)) => word.to_owned(),
+                    (Some(value), None) => with_unit(value, signal.unit),
+                    (None, Some(word)) => format!("-- (invalid: {word})"),
+                    (None, None) => {
+                        format!("-- (invalid: {})", with_unit(&value_of(signal, *raw), signal.unit))
+                    }
+                };
+                let id = message.id.to_string();
+                let (time_width, (wide, wider)) = (self.time_width(), self.widths);
+                let (message, signal) = (message.name, signal.name);
+                writeln!(
+                    out,
+                    "{time:>time_width$}  {id:8}  {message:wide$}  {signal:wider$}  {raw:>10}  {shown}"
+                )
+            }
+            Format::Json => {
+                let quoted = |text: &str| serde_json::Value::from(text).to_string();
+                writeln!(
+                    out,
+                    "{{\"time\":{time},\"id\":\"{}\",\"message\":{},\"signal\":{},\"raw\":{raw},\"value\":{},\
+                     \"unit\":{},\"valid\":{},\"word\":{}}}",
+                    message.id,
+                    quoted(message.name),
+                    quoted(signal.name),
+                    value.as_deref().unwrap_or("null"),
+                    quoted(signal.unit),
+                    value.is_some(),
+                    word.map_or("null".into(), quoted)
+                )
+            }
+            Format::Csv => writeln!(
+                out,
+                "{time},{},{},{},{raw},{},{},{},{}",
+                message.id,
+                message.name,
+                signal.name,
+                value.as_deref().unwrap_or(""),
+                cell(signal.unit),
+                value.is_some(),
+                cell(word.unwrap_or(""))
+            ),
+        }
+    }
+}
+
+/// Returns a CSV cell, in quotes where RFC 4180 asks for them.
+fn cell(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+/// Returns whether `text` is what `pattern` says: `*` any characters, `?` any one; case is ignored.
+fn matches_glob(pattern: &str, text: &str) -> bool {
+    let (pattern, text) = (pattern.to_ascii_lowercase(), text.to_ascii_lowercase());
+    let (pattern, text) = (pattern.as_bytes(), text.as_bytes());
+    // reached[i]: the pattern so far can match the first i characters.
+    let mut reached = vec![false; text.len() + 1];
+    reached[0] = true;
+    for &sign in pattern {
+        let mut next = vec![false; text.len() + 1];
+        for at in 0..=text.len() {
+            next[at] = match sign {
+                b'*' => reached[at] || at > 0 && next[at - 1],
+                b'?' => at > 0 && reached[at - 1],
+                sign => at > 0 && reached[at - 1] && text[at - 1] == sign,
+            };
+        }
+        reached = next;
+    }
+    reached[text.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn globs_match_like_a_shell() {
+        let cases = [
+            ("soc", "soc", true),
+            ("soc", "soc2", false),
+            ("*soc*", "pack_soc_2", true),
+            ("BMS1.*", "BMS1.soc", true),
+            ("bms1.S?C", "BMS1.soc", true),
+            ("BMS1.*", "BMS10.soc", false),
+            ("*a*a*b", "aaaa", false),
+            ("", "", true),
+            ("*", "", true),
+        ];
+        for (pattern, text, fits) in cases {
+            assert_eq!(matches_glob(pattern, text), fits, "{pattern} {text}");
+        }
+    }
+
+    #[test]
+    fn cells_with_commas_and_quotes_are_quoted() {
+        assert_eq!(cell("on, \"really\""), "\"on, \"\"really\"\"\"");
+        assert_eq!(cell("°C"), "°C");
+    }
+
+    fn read(lines: &[&str]) -> Vec<(u64, String)> {
+        let mut reader = LineByLine::default();
+        let mut frames = Vec::new();
+        for line in lines {
+            frames.extend(reader.read(line).unwrap().map(|(at, frame)| (at.as_micros(), frame.to_string())));
+        }
+        reader.finish().unwrap();
+        frames
+    }
+
+    #[test]
+    fn every_format_is_read_line_by_line() {
+        let expected = [(0, "0CF101A7#01".to_string()), (20_000, "123#0203".to_string())];
+        let logged = ["(1.0) can0 0CF101A7#01", "", "(1.02) can0 123#0203"];
+        let shown = [" (1.0)  can0  0CF101A7   [1]  01", " (1.02)  can0  123   [2]  02 03"];
+        let gvret = [
+            "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8",
+            "1000000,0CF101A7,true,Rx,0,1,01",
+            "1020000,00000123,false,Rx,0,2,02,03",
+        ];
+        let asc = [
+            "date Sun Nov 22 12:00:00 2026",
+            "base hex  timestamps absolute",
+            "   1.000000 1  0CF101A7x       Rx   d 1 01",
+            "   1.020000 1  123             Rx   d 2 02 03",
+        ];
+        assert_eq!(read(&logged), expected);
+        assert_eq!(read(&shown), expected);
+        assert_eq!(read(&gvret), expected);
+        assert_eq!(read(&asc), expected);
+    }
+
+    #[test]
+    fn a_bad_line_is_named_as_it_comes() {
+        let mut reader = LineByLine::default();
+        reader.read("(1.0) can0 123#00").unwrap();
+        let bad = reader.read("(2.0) can0 123#0").unwrap_err();
+        assert_eq!(bad.to_string(), "stdin:2: `0` is not pairs of hexadecimal digits");
+        let back = reader.read("(0.5) can0 123#00").unwrap_err();
+        assert_eq!(back.to_string(), "stdin:3: time goes back; sort the log by time first");
+    }
+
+    #[test]
+    fn a_stream_without_frames_is_an_error() {
+        assert_eq!(LineByLine::default().finish().unwrap_err().to_string(), "stdin: the log holds no frame");
+    }
+}

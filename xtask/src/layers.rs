@@ -1,0 +1,127 @@
+//! Guards the arrows: which crate may depend on which.
+//!
+//! Firmware on boards on drivers on embedded-hal; firmware on ui on cluster on protocol-core on core. The bench and
+//! the tools load the ELF, they never link firmware code. Dev-dependencies are free: tests look from outside.
+
+use anyhow::{Result, bail};
+use cargo_metadata::{DependencyKind, MetadataCommand, Package};
+
+/// One crate and what it may depend on inside the workspace.
+struct Layer {
+    name: &'static str,
+    may_use: &'static [&'static str],
+    /// Other people's crates that must not appear (the crate is to stay free of hardware, or of a runtime).
+    never: &'static [&'static str],
+}
+
+/// Crates that only code at the edge may name.
+const HARDWARE: &[&str] = &[
+    "rp2040-hal",
+    "rp2040-boot2",
+    "rtic",
+    "rtic-monotonics",
+    "cortex-m",
+    "cortex-m-rt",
+    "mcp2515",
+    "mipidsi",
+];
+
+const LAYERS: &[Layer] = &[
+    Layer { name: "protocol-core", may_use: &[], never: HARDWARE },
+    Layer { name: "cluster", may_use: &["protocol-core"], never: HARDWARE },
+    Layer { name: "ui", may_use: &["cluster", "protocol-core"], never: HARDWARE },
+    Layer { name: "mcp2515-can", may_use: &["protocol-core"], never: &["rp2040-hal", "rtic", "cortex-m"] },
+    Layer { name: "tft", may_use: &[], never: &["rp2040-hal", "rtic", "cortex-m"] },
+    Layer { name: "pico", may_use: &["mcp2515-can", "tft", "protocol-core"], never: &["rtic"] },
+    Layer {
+        name: "firmware",
+        may_use: &["cluster", "mcp2515-can", "pico", "protocol-core", "tft", "ui"],
+        never: &["rp2040-hal", "mcp2515", "mipidsi"],
+    },
+    Layer { name: "vehicle-compiler", may_use: &["protocol-core"], never: HARDWARE },
+    Layer { name: "fontgen", may_use: &[], never: HARDWARE },
+    Layer { name: "bench", may_use: &["protocol-core", "cluster"], never: HARDWARE },
+    Layer {
+        name: "xtask",
+        may_use: &["bench", "cluster", "fontgen", "protocol-core", "ui", "vehicle-compiler"],
+        never: HARDWARE,
+    },
+];
+
+/// Prints the arrows and fails on one that must not be.
+///
+/// # Errors
+/// If a crate is unknown here, or depends on what it must not.
+pub fn run() -> Result<()> {
+    let metadata =
+        MetadataCommand::new().manifest_path(crate::workspace::root().join("Cargo.toml")).exec()?;
+    let packages = metadata.workspace_packages();
+    let wrong = check(&packages);
+    for package in &packages {
+        let ours: Vec<_> =
+            arrows(package).filter(|name| packages.iter().any(|p| p.name.as_str() == *name)).collect();
+        println!(
+            "{:18} -> {}",
+            package.name.as_str(),
+            if ours.is_empty() { "-".into() } else { ours.join(", ") }
+        );
+    }
+    if wrong.is_empty() {
+        return Ok(());
+    }
+    bail!("{}\n(the house is in CONTRIBUTING.md; the table is in xtask/src/layers.rs)", wrong.join("\n"))
+}
+
+fn arrows(package: &Package) -> impl Iterator<Item = &str> {
+    let kinds = [DependencyKind::Normal, DependencyKind::Build];
+    package.dependencies.iter().filter(move |d| kinds.contains(&d.kind)).map(|d| d.name.as_str())
+}
+
+fn check(packages: &[&Package]) -> Vec<String> {
+    let mut wrong = Vec::new();
+    for package in packages {
+        let Some(layer) = LAYERS.iter().find(|layer| layer.name == package.name.as_str()) else {
+            wrong.push(format!("crate `{}` has no layer: give it a row", package.name));
+            continue;
+        };
+        for name in arrows(package) {
+            let ours = packages.iter().any(|p| p.name.as_str() == name);
+            if ours && !layer.may_use.contains(&name) || layer.never.contains(&name) {
+                wrong.push(format!("`{}` must not depend on `{name}`", layer.name));
+            }
+        }
+    }
+    wrong
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_has_no_cycle() {
+        // Rows may only name rows that can be placed below them.
+        let mut placed: Vec<&str> = Vec::new();
+        for _ in 0..LAYERS.len() {
+            for layer in LAYERS {
+                if !placed.contains(&layer.name) && layer.may_use.iter().all(|name| placed.contains(name)) {
+                    placed.push(layer.name);
+                }
+            }
+        }
+        assert_eq!(placed.len(), LAYERS.len(), "placed only {placed:?}");
+    }
+
+    #[test]
+    fn an_arrow_that_points_up_is_found() {
+        let metadata =
+            MetadataCommand::new().manifest_path(crate::workspace::root().join("Cargo.toml")).exec().unwrap();
+        let mut upward =
+            metadata.workspace_packages().into_iter().find(|p| p.name.as_str() == "cluster").unwrap().clone();
+        let ui = metadata.workspace_packages().into_iter().find(|p| p.name.as_str() == "ui").unwrap().clone();
+        let mut arrow = upward.dependencies[0].clone();
+        arrow.name = "ui".into();
+        upward.dependencies.push(arrow);
+        assert_eq!(check(&[&upward, &ui]), ["`cluster` must not depend on `ui`"]);
+    }
+}

@@ -1,0 +1,130 @@
+//! The one command line of this repository: `cargo xtask --help`.
+//!
+//! Everything a person or CI does goes through here. Each step prints its name; failures are collected and every one
+//! names its fix.
+
+#![allow(unreachable_pub, reason = "in a binary every `pub` is private to it")]
+
+mod ci;
+mod codecs;
+mod codegen;
+mod dbc;
+mod decode;
+mod doctor;
+mod encode;
+mod figures;
+mod firmware;
+mod flash;
+mod layers;
+mod listen;
+mod python;
+mod reference;
+mod replay;
+mod rules;
+mod run;
+mod screens;
+mod steps;
+mod test;
+mod toolchain;
+mod uf2;
+mod vehicles;
+mod workspace;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Builds, runs, flashes and tests the instrument cluster.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", version, propagate_version = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Builds the firmware, drives it on the virtual bench and shows the cluster on a local page.
+    Run(run::Options),
+    /// Runs every test: host tests, witnesses and the firmware on the bench.
+    Test(test::Options),
+    /// Builds the firmware for the board: ELF and UF2, with size and budget lines.
+    Build(firmware::Options),
+    /// Writes the firmware to a board: by debug probe, by picotool or by the BOOTSEL drive, whichever is there.
+    Flash(flash::Options),
+    /// Plays a recording through the cluster's logic and prints what it shows, as text or as JSON lines.
+    Replay(replay::Options),
+    /// Decodes a recording or a live bus to signals, as text, JSON lines or CSV.
+    Decode(decode::Options),
+    /// Makes the frame of a message from the values of its signals.
+    Encode(encode::Options),
+    /// Lints DBC files and names file and line of everything that is wrong or missing.
+    Dbc(dbc::Options),
+    /// Compares every screen with its golden picture, or blesses the new ones.
+    Screens(screens::Options),
+    /// Rasterises the fonts and symbols that the screens use.
+    Fonts,
+    /// Generates the codecs from the vehicles' DBC and TOML files.
+    Codegen(codegen::Options),
+    /// Measures the generated codecs on the emulated core beside dbc-codegen and cantools' C.
+    Codecs(codecs::Options),
+    /// Generates the reference pages of the vehicles' messages, values and faults.
+    Reference(reference::Options),
+    /// Maps every rule of the source documents to the tests that name it, and fails on one of the cluster without any.
+    Rules(rules::Options),
+    /// Prints flash and RAM of the firmware by section and checks the board's budgets.
+    Size(firmware::Options),
+    /// Prints the records that a cluster sends on its UART.
+    Listen(listen::Options),
+    /// Checks that the crates' dependency arrows point down only.
+    Layers,
+    /// Measures the firmware on the bench and prints the figures that the README quotes.
+    Figures(figures::Options),
+    /// Shows what this machine has, what is missing and what to type.
+    Doctor,
+    /// Runs everything that CI runs.
+    Ci,
+}
+
+fn main() -> ExitCode {
+    match dispatch(Cli::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn dispatch(command: Command) -> Result<()> {
+    match command {
+        Command::Run(options) => run::run(&options),
+        Command::Test(options) => test::run(&options),
+        Command::Build(options) => firmware::build_and_report(&options).map(drop),
+        Command::Flash(options) => flash::run(&options),
+        Command::Replay(options) => replay::run(&options),
+        Command::Decode(options) => decode::run(&options),
+        Command::Encode(options) => encode::run(&options),
+        Command::Dbc(options) => dbc::run(&options),
+        Command::Screens(options) => screens::run(&options),
+        Command::Fonts => screens::fonts(),
+        Command::Codegen(options) => codegen::run(&options),
+        Command::Codecs(options) => codecs::run(&options),
+        Command::Reference(options) => reference::run(&options),
+        Command::Rules(options) => rules::run(&options),
+        Command::Size(options) => firmware::size(&options),
+        Command::Listen(options) => listen::run(&options),
+        Command::Layers => layers::run(),
+        Command::Figures(options) => figures::run(&options),
+        Command::Doctor => doctor::run(),
+        Command::Ci => ci::run(),
+    }
+}
+
+/// Where a command puts files that are not for the repository.
+fn output_folder() -> Result<PathBuf> {
+    let folder = workspace::root().join("target/out");
+    std::fs::create_dir_all(&folder)?;
+    Ok(folder)
+}

@@ -1,0 +1,303 @@
+//! Plays a recording through the cluster's own logic and prints what it shows.
+//!
+//! The same code as on the chip, ticked every 10 ms of the recording's time; without the cluster's own wires (key,
+//! doors, lamps), which no recording has. Printed is what changes: values that the bus brings, in everyday units, the
+//! worst severity, the lamps, the message line and the sound. Pixels are the bench's business: `cargo xtask run`.
+
+use crate::decode::quiet_if_closed;
+use crate::vehicles::{Tables, can_frame, short_seconds};
+use anyhow::{Result, bail};
+use bench::log::Log;
+use bench::time::Nanos;
+use clap::Args;
+use cluster::telltale::{Telltale, Telltales};
+use cluster::view::Line;
+use cluster::{Chime, Cluster, Inputs, Received, Sound};
+use protocol_core::model::{Severity, Shown, Value};
+use protocol_core::{Millis, Vehicle};
+use serde_json::{Value as Json, json};
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
+
+/// Time from tick to tick on the chip, in milliseconds.
+const TICK_MS: u64 = 10;
+/// Longest silence that a recording may have: a jump of the recorder's clock would play for years.
+const LONGEST_GAP: Nanos = Nanos::from_secs(24 * 60 * 60);
+
+/// What to play and how to print it.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// Recording: candump, Vector ASC or GVRET CSV.
+    file: PathBuf,
+    /// Vehicle whose cluster to play; found from the identifiers heard if not given.
+    #[arg(long)]
+    vehicle: Option<String>,
+    /// Prints one JSON object per line.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Plays a recording and prints what changes.
+///
+/// # Errors
+/// If the recording cannot be read or no vehicle fits it.
+pub fn run(options: &Options) -> Result<()> {
+    let log = Log::read_file(&options.file)?;
+    let tables = Tables::of_log(&log, options.vehicle.as_deref())?;
+    for pair in log.entries.windows(2) {
+        if pair[1].at.since(pair[0].at) > LONGEST_GAP {
+            let (file, line) = (options.file.display(), pair[1].line);
+            bail!("{file}:{line}: the time jumps by more than a day; cut the log there");
+        }
+    }
+    let mut out = BufWriter::new(io::stdout().lock());
+    quiet_if_closed(play(&log, tables, options.json, &mut out))
+}
+
+fn play(log: &Log, tables: Tables, json: bool, out: &mut impl Write) -> Result<()> {
+    let mut cluster = Cluster::new(tables.vehicle);
+    let mut screen = Screen::new(tables.vehicle, json);
+    let mut tally = Tally::default();
+    let mut next_tick = Millis(0);
+    for entry in &log.entries {
+        while next_tick.0 * 1_000_000 <= entry.at.0 {
+            tick(&mut cluster, &mut screen, next_tick, out)?;
+            next_tick = next_tick.after(TICK_MS);
+        }
+        tally.count(&mut cluster, tables, entry);
+    }
+    tick(&mut cluster, &mut screen, next_tick, out)?;
+    tally.report(log, tables.vehicle, json, out)?;
+    out.flush()?;
+    Ok(())
+}
+
+fn tick(cluster: &mut Cluster, screen: &mut Screen, now: Millis, out: &mut impl Write) -> io::Result<()> {
+    cluster.tick(&Inputs::default(), now);
+    // What it sends goes nowhere: the recording has its own.
+    while cluster.transmit(now).is_some() {}
+    screen.print_changes(cluster, now, out)
+}
+
+/// What was printed last, to print only what is new.
+struct Screen {
+    json: bool,
+    values: Vec<(Value, Shown<i32>, String)>,
+    severity: Severity,
+    lamps: Option<Telltales>,
+    line: Option<Line>,
+    sound: Option<Sound>,
+}
+
+impl Screen {
+    fn new(vehicle: &'static Vehicle, json: bool) -> Self {
+        let values = from_the_bus(vehicle).map(|value| (value, Shown::Never, String::new()));
+        Self {
+            json,
+            values: values.collect(),
+            severity: Severity::None,
+            lamps: None,
+            line: None,
+            sound: None,
+        }
+    }
+
+    fn print_changes(&mut self, cluster: &Cluster, now: Millis, out: &mut impl Write) -> io::Result<()> {
+        let json = self.json;
+        let mut print = |name: &str, text: &str, mut fields: Json| {
+            let time = short_seconds(now.0);
+            if !json {
+                return writeln!(out, "{time:>10}  {name:<26}  {text}");
+            }
+            let rest = fields.as_object_mut().map(std::mem::take).unwrap_or_default();
+            let rest = Json::from(rest).to_string();
+            writeln!(out, "{{\"time\":{time},\"name\":\"{name}\",{}", rest.trim_start_matches('{'))
+        };
+        for (value, last, last_text) in &mut self.values {
+            let shown = cluster.shown(*value, now);
+            if shown == *last {
+                continue;
+            }
+            *last = shown;
+            let text = text_of(*value, shown);
+            // The everyday unit is coarser than the model's: half a count is no news.
+            if text == *last_text {
+                continue;
+            }
+            let state = state_of(shown);
+            print(value.path(), &text, json!({ "state": state, "counts": shown.value(), "shown": text }))?;
+            *last_text = text;
+        }
+        let view = cluster.view(now);
+        if self.severity != view.severity {
+            self.severity = view.severity;
+            let severity = word(view.severity);
+            print("severity", &severity, json!({ "severity": severity }))?;
+        }
+        if self.lamps != Some(view.telltales) {
+            self.lamps = Some(view.telltales);
+            let lit = lit(view.telltales);
+            let all = view.telltales == Telltales::ALL;
+            let text = match &lit[..] {
+                _ if all => format!("all {} (bulb check)", lit.len()),
+                [] => "none".into(),
+                lit => lit.join(", "),
+            };
+            print("lamps", &text, json!({ "lit": lit, "all": all }))?;
+        }
+        if self.line != view.line {
+            self.line = view.line;
+            let (text, fields) = line(view.line);
+            print("line", &text, fields)?;
+        }
+        let chime = cluster.chime(now);
+        if self.sound != chime.map(|chime| chime.sound) {
+            self.sound = chime.map(|chime| chime.sound);
+            let (text, fields) = sound(chime);
+            print("sound", &text, fields)?;
+        }
+        Ok(())
+    }
+}
+
+/// Returns the values that are not the cluster's own inputs, and the odometer that it counts itself.
+fn from_the_bus(vehicle: &'static Vehicle) -> impl Iterator<Item = Value> {
+    let mut deaf = Cluster::new(vehicle);
+    deaf.tick(&Inputs::default(), Millis(0));
+    let is_own = move |value| deaf.shown(value, Millis(0)) != Shown::Never;
+    Value::ALL.iter().copied().filter(move |value| !is_own(*value) || *value == Value::ClusterOdometer)
+}
+
+fn text_of(value: Value, shown: Shown<i32>) -> String {
+    match shown {
+        Shown::Value(counts) => value.unit().show(counts).to_string(),
+        missing => format!("-- ({})", state_of(missing)),
+    }
+}
+
+fn state_of(shown: Shown<i32>) -> &'static str {
+    match shown {
+        Shown::Never => "never seen",
+        Shown::Stale => "stale",
+        Shown::Invalid => "invalid",
+        Shown::Value(_) => "value",
+    }
+}
+
+/// Returns the name of a variant as words: `LowCharge` -> `low charge`.
+fn word(variant: impl std::fmt::Debug) -> String {
+    let mut words = String::new();
+    for letter in format!("{variant:?}").chars() {
+        if letter.is_ascii_uppercase() && !words.is_empty() {
+            words.push(' ');
+        }
+        words.push(letter.to_ascii_lowercase());
+    }
+    words
+}
+
+fn lit(lamps: Telltales) -> Vec<String> {
+    Telltale::ALL.iter().filter(|lamp| lamps.is_lit(**lamp)).map(word).collect()
+}
+
+fn line(line: Option<Line>) -> (String, Json) {
+    let Some(line) = line else {
+        return ("empty".into(), json!({ "severity": null, "zh": null, "en": null }));
+    };
+    let severity = word(line.severity);
+    let code = line.code.map(|code| format!(" {code}")).unwrap_or_default();
+    let turn =
+        if line.count > 1 { format!("  ({} of {})", line.position, line.count) } else { String::new() };
+    let text = format!("{severity}{code}: {} {}{turn}", line.text.en, line.text.zh);
+    let fields = json!({
+        "severity": severity, "code": line.code, "zh": line.text.zh, "en": line.text.en,
+        "position": line.position, "count": line.count,
+    });
+    (text, fields)
+}
+
+fn sound(chime: Option<Chime>) -> (String, Json) {
+    let Some(chime) = chime else { return ("silent".into(), json!({ "sound": null })) };
+    let Chime { frequency_hz, on_ms, off_ms, .. } = chime;
+    let sound = word(chime.sound);
+    let text = format!("{sound} ({frequency_hz} Hz, {on_ms} ms on, {off_ms} ms off)");
+    (text, json!({ "sound": sound, "frequency_hz": frequency_hz, "on_ms": on_ms, "off_ms": off_ms }))
+}
+
+/// What became of the frames.
+#[derive(Default)]
+struct Tally {
+    taken: usize,
+    /// Frames of the vehicle that are for other nodes.
+    for_others: usize,
+    unknown: usize,
+    short: usize,
+    damaged: usize,
+    remote: usize,
+}
+
+impl Tally {
+    fn count(&mut self, cluster: &mut Cluster, tables: Tables, entry: &bench::log::Entry) {
+        let counter = match can_frame(&entry.frame) {
+            None => &mut self.remote,
+            Some(frame) => match cluster.receive(&frame, Millis(entry.at.0 / 1_000_000)) {
+                Received::Stored => &mut self.taken,
+                Received::TooShort => &mut self.short,
+                Received::Damaged => &mut self.damaged,
+                Received::Unknown if tables.message(frame.id).is_some() => &mut self.for_others,
+                Received::Unknown => &mut self.unknown,
+            },
+        };
+        *counter += 1;
+    }
+
+    fn report(&self, log: &Log, vehicle: &Vehicle, json: bool, out: &mut impl Write) -> io::Result<()> {
+        let frames = log.entries.len();
+        let Self { taken, for_others, unknown, short, damaged, remote } = self;
+        let (errors, millis) = (log.error_frames, log.duration().0 / 1_000_000);
+        if json {
+            let fields = json!({
+                "name": "summary", "vehicle": vehicle.name, "frames": frames, "taken": taken,
+                "for_others": for_others, "unknown": unknown, "short": short, "damaged": damaged,
+                "remote": remote, "error_frames": errors, "span_ms": millis,
+            });
+            return writeln!(out, "{fields}");
+        }
+        let counts = [
+            (*taken, "taken"),
+            (*for_others, "for other nodes"),
+            (*unknown, "unknown"),
+            (*short, "too short"),
+            (*damaged, "with a wrong checksum"),
+            (*remote, "remote requests"),
+            (errors, "error frames"),
+        ];
+        let counts: Vec<String> = counts
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, what)| format!("{count} {what}"))
+            .collect();
+        writeln!(out, "\nvehicle  {}", vehicle.name)?;
+        writeln!(out, "frames   {frames} in {} s: {}", short_seconds(millis), counts.join(", "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn variants_read_as_words() {
+        assert_eq!(word(Telltale::LowCharge), "low charge");
+        assert_eq!(word(Severity::Stop), "stop");
+    }
+
+    #[test]
+    fn own_inputs_are_not_the_buses_news() {
+        for tables in Tables::all() {
+            let values: Vec<Value> = from_the_bus(tables.vehicle).collect();
+            assert!(!values.contains(&Value::BodyKey) && values.contains(&Value::ClusterOdometer));
+            assert!(values.contains(&Value::BatterySoc));
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! Which vehicle, which message, which number: what the commands that read and write frames share.
+//!
+//! Vehicles are told apart by the identifiers heard: no 29-bit identifier is shared. Names are looked up exactly and the
+//! nearest one is offered. Numbers are exact decimals made from integers; no float takes part.
+
+use anyhow::{Result, anyhow, bail};
+use bench::can::{Frame, Id};
+use bench::log::Log;
+use bench::time::Nanos;
+use protocol_core::codec::{MessageInfo, SignalInfo};
+use protocol_core::generated::{MESSAGES, VEHICLES};
+use protocol_core::{CanFrame, CanId, Vehicle};
+use std::collections::BTreeSet;
+use vehicle_compiler::lint::did_you_mean;
+
+/// One vehicle with all of its messages, those of the other nodes too.
+#[derive(Clone, Copy)]
+pub struct Tables {
+    /// What the cluster receives and sends.
+    pub vehicle: &'static Vehicle,
+    /// Every message of the DBC.
+    pub messages: &'static [MessageInfo],
+}
+
+impl Tables {
+    /// Returns every vehicle, sorted by name.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let messages =
+            |name: &str| MESSAGES.iter().find(|(of, _)| *of == name).map(|(_, messages)| *messages);
+        VEHICLES.iter().filter_map(move |vehicle| Some(Self { vehicle, messages: messages(vehicle.name)? }))
+    }
+
+    /// Returns the vehicle of a name.
+    ///
+    /// # Errors
+    /// If there is none; the error names the nearest and all.
+    pub fn named(name: &str) -> Result<Self> {
+        let names = || Self::all().map(|tables| tables.vehicle.name);
+        Self::all().find(|tables| tables.vehicle.name == name).ok_or_else(|| {
+            let near = did_you_mean(name, names());
+            anyhow!("no vehicle is called `{name}`{near} (known: {})", names().collect::<Vec<_>>().join(", "))
+        })
+    }
+
+    /// Returns the vehicle that sends `id`.
+    pub fn sending(id: CanId) -> Option<Self> {
+        Self::all().find(|tables| tables.message(id).is_some())
+    }
+
+    /// Returns the vehicle that most frames of a recording belong to, or the one `wanted` by name.
+    ///
+    /// # Errors
+    /// If no vehicle has that name, or none has any of the identifiers.
+    pub fn of_log(log: &Log, wanted: Option<&str>) -> Result<Self> {
+        if let Some(name) = wanted {
+            return Self::named(name);
+        }
+        let heard = |tables: &Self| {
+            let ids = log.entries.iter().map(|entry| can_id(entry.frame.id));
+            ids.filter(|id| tables.message(*id).is_some()).count()
+        };
+        let best = Self::all().map(|tables| (heard(&tables), tables)).max_by_key(|(count, _)| *count);
+        match best {
+            Some((count, tables)) if count > 0 => Ok(tables),
+            _ => bail!(no_vehicle(log.entries.iter().map(|entry| can_id(entry.frame.id)))),
+        }
+    }
+
+    /// Returns the message with `id`.
+    pub fn message(&self, id: CanId) -> Option<&'static MessageInfo> {
+        self.messages.iter().find(|message| message.id == id)
+    }
+}
+
+/// Returns what to say when no vehicle has any of the identifiers heard.
+pub fn no_vehicle(ids: impl Iterator<Item = CanId>) -> String {
+    let ids: BTreeSet<CanId> = ids.collect();
+    let first: Vec<String> = ids.iter().take(5).map(ToString::to_string).collect();
+    let more = if ids.len() > first.len() { ", ..." } else { "" };
+    let known: Vec<&str> = Tables::all().map(|tables| tables.vehicle.name).collect();
+    format!(
+        "no vehicle ({}) has any of the identifiers heard ({}{more}); say which one with --vehicle",
+        known.join(", "),
+        first.join(", ")
+    )
+}
+
+/// Returns a bench identifier as the codecs have it.
+pub fn can_id(id: Id) -> CanId {
+    match id {
+        Id::Standard(id) => CanId::standard(id.raw()),
+        Id::Extended(id) => CanId::extended(id.raw()),
+    }
+}
+
+/// Returns a bench frame as the codecs have it; `None` for a remote request, which carries no signals.
+pub fn can_frame(frame: &Frame) -> Option<CanFrame> {
+    if frame.remote { None } else { CanFrame::from_slice(can_id(frame.id), frame.payload()) }
+}
+
+/// Returns seconds with six decimals.
+pub fn seconds(at: Nanos) -> String {
+    format!("{}.{:06}", at.0 / 1_000_000_000, at.0 / 1_000 % 1_000_000)
+}
+
+/// Returns seconds with three decimals.
+pub fn short_seconds(millis: u64) -> String {
+    format!("{}.{:03}", millis / 1_000, millis % 1_000)
+}
+
+/// Returns `counts / den` as the shortest exact decimal; `den` divides a power of ten, as it does for every DBC factor.
+pub fn decimal(counts: i64, den: u32) -> String {
+    // The denominator has at most 31 factors of 2 or 5.
+    let decimals =
+        (0..32).find(|decimals| 10_u128.pow(*decimals) % u128::from(den.max(1)) == 0).unwrap_or(31);
+    let scaled = u128::from(counts.unsigned_abs()) * (10_u128.pow(decimals) / u128::from(den.max(1)));
+    let digits = format!("{scaled:0width$}", width = decimals as usize + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - decimals as usize);
+    let sign = if counts < 0 { "-" } else { "" };
+    match fraction.trim_end_matches('0') {
+        "" => format!("{sign}{whole}"),
+        fraction => format!("{sign}{whole}.{fraction}"),
+    }
+}
+
+/// Returns the physical value of `raw` as an exact decimal, valid or not.
+pub fn value_of(signal: &SignalInfo, raw: i64) -> String {
+    decimal(signal.scale.counts(raw), signal.scale.den)
+}
+
+/// Returns `text` with its unit behind it.
+pub fn with_unit(text: &str, unit: &str) -> String {
+    if unit.is_empty() { text.to_owned() } else { format!("{text} {unit}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_exact_and_short() {
+        assert_eq!(decimal(12_425, 256), "48.53515625");
+        assert_eq!(decimal(-1, 256), "-0.00390625");
+        assert_eq!(decimal(512, 256), "2");
+        assert_eq!(decimal(-30_000, 10), "-3000");
+        assert_eq!(decimal(5, 10), "0.5");
+        assert_eq!(decimal(0, 1), "0");
+        assert_eq!(decimal(1_200, 1), "1200");
+        assert_eq!(decimal(i64::MIN, 1), "-9223372036854775808");
+    }
+
+    #[test]
+    fn no_identifier_belongs_to_two_vehicles() {
+        let ids = |tables: &Tables| tables.messages.iter().map(|message| message.id).collect::<Vec<_>>();
+        let all: Vec<CanId> = Tables::all().flat_map(|tables| ids(&tables)).collect();
+        assert_eq!(all.iter().collect::<BTreeSet<_>>().len(), all.len());
+    }
+}
