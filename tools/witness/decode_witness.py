@@ -85,7 +85,7 @@ def block(out, index, kind, frames):
 
 def main():
     database = cantools.database.load_file(sys.argv[1], encoding="utf-8", strict=True)
-    budget = int(sys.argv[2]) if len(sys.argv) > 2 else 400_000
+    budget = int(sys.argv[2]) if len(sys.argv) > 2 else 1_000_000
     random_source = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 20221122)
     out = sys.stdout.buffer
     rows = [

@@ -40,6 +40,10 @@ pub fn run_steps(steps: &mut Steps, arguments: &[String]) {
     steps.run("cargo test", || {
         let mut command = workspace::cargo();
         command.args(["test", "--quiet", "--no-fail-fast"]).args(arguments);
+        // The witnesses say how much they have compared.
+        if !arguments.iter().any(|argument| argument == "--") {
+            command.args(["--", "--show-output"]);
+        }
         if let Some(python) = &witness {
             command.env("WITNESS_PYTHON", python);
         }
