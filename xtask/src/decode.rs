@@ -275,7 +275,7 @@ impl Printer {
         for pattern in &options.signals {
             if !all().any(|(message, signal)| fits(pattern, message, signal)) {
                 let names: Vec<String> = all().flat_map(|(m, s)| [s.name.to_owned(), full(m, s)]).collect();
-                let near = vehicle_compiler::lint::did_you_mean(pattern, names.iter().map(String::as_str));
+                let near = vehicle_compiler::did_you_mean(pattern, names.iter().map(String::as_str));
                 bail!("no signal of `{}` matches `{pattern}`{near}", tables.vehicle.name);
             }
         }

@@ -7,7 +7,7 @@ use crate::vehicles::{Tables, value_of, with_unit};
 use anyhow::{Result, bail};
 use clap::Args;
 use protocol_core::codec::{MessageInfo, Mux, SignalInfo};
-use vehicle_compiler::lint::did_you_mean;
+use vehicle_compiler::did_you_mean;
 
 /// Which frame to make.
 #[derive(Args, Debug)]

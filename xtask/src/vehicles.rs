@@ -11,7 +11,7 @@ use protocol_core::codec::{MessageInfo, SignalInfo};
 use protocol_core::generated::{MESSAGES, VEHICLES};
 use protocol_core::{CanFrame, CanId, Vehicle};
 use std::collections::BTreeSet;
-use vehicle_compiler::lint::did_you_mean;
+use vehicle_compiler::did_you_mean;
 
 /// One vehicle with all of its messages, those of the other nodes too.
 #[derive(Clone, Copy)]

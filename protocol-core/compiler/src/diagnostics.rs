@@ -97,7 +97,7 @@ pub(crate) fn line_of(text: &str, offset: usize) -> usize {
 }
 
 /// Returns "; did you mean `x`?" for the candidate nearest to `word`, or nothing if none is near.
-pub(crate) fn did_you_mean<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> String {
+pub fn did_you_mean<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> String {
     let limit = (word.chars().count() / 3).max(1);
     candidates
         .map(|candidate| (distance(word, candidate), candidate))

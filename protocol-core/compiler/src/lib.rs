@@ -16,7 +16,7 @@ mod network;
 mod ratio;
 mod vehicle_text;
 
-pub use diagnostics::{Diagnostic, Diagnostics};
+pub use diagnostics::{Diagnostic, Diagnostics, did_you_mean};
 
 use std::fs;
 use std::path::{Path, PathBuf};

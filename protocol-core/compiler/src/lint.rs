@@ -4,7 +4,7 @@
 //! needs (syntax, overlaps, names, bits within the frame) is checked where the file is read; both are reported together.
 //! Not supported: judging whether a comment is true.
 
-use crate::diagnostics::{self, Diagnostics, Report};
+use crate::diagnostics::{Diagnostics, Report, did_you_mean};
 use crate::network::{self, Network, Signal};
 use crate::ratio::Ratio;
 use can_dbc::{Comment, Dbc};
@@ -46,11 +46,6 @@ pub fn comments(file: &str, text: &str) -> Result<BTreeMap<(u32, String), String
         };
     }
     Ok(comments)
-}
-
-/// Returns "; did you mean `x`?" for the candidate nearest to `word`, or nothing if none is near.
-pub fn did_you_mean<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> String {
-    diagnostics::did_you_mean(word, candidates)
 }
 
 /// Lines of messages and signals by packed identifier and signal; the message's own stands under `""`.
