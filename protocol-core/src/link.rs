@@ -19,7 +19,7 @@ use serde::ser::SerializeSeq;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Version of the records; raised with every change of [`Record`] that an older decoder would misread.
-pub const VERSION: u8 = 1;
+pub const VERSION: u8 = 2;
 
 /// Bytes of the longest record.
 const MAX_RECORD: usize = 144;
@@ -63,6 +63,69 @@ pub enum Record {
         /// File and message, cut off where there is no more room.
         text: Excerpt<64>,
     },
+    /// Trips, consumption and range.
+    Trips(Trips),
+    /// One active fault, in turn; each new one at once.
+    Active {
+        /// How many are active.
+        count: u8,
+        /// One of them; `None` = none is active.
+        fault: Option<Fault>,
+    },
+    /// One fault since power-on, in turn; each new one at once.
+    Remembered {
+        /// How many are remembered.
+        count: u8,
+        /// One of them.
+        fault: Fault,
+        /// When it came last, in milliseconds since power-on.
+        last_ms: u64,
+    },
+}
+
+/// Trips, consumption and range.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Trips {
+    /// Trip A and trip B.
+    pub trips: [Trip; 2],
+    /// Present consumption in Wh/km, negative = regained.
+    pub consumption_whkm: Sample,
+    /// Remaining range in km.
+    pub range_km: Sample,
+    /// The range is the cluster's own estimate.
+    pub range_is_estimated: bool,
+}
+
+/// A trip of the driver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Trip {
+    /// Distance in 0.1 km.
+    pub hectometres: u32,
+    /// Average consumption in Wh/km; `None` = too short to say.
+    pub average_whkm: Option<i32>,
+    /// Energy out of the battery in Wh.
+    pub used_watthours: u32,
+    /// Energy back into the battery by driving in Wh.
+    pub regained_watthours: u32,
+}
+
+/// A fault, active or remembered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Fault {
+    /// Its number in the list, from 0.
+    pub place: u8,
+    /// Number of the source in the cluster's list.
+    pub source: u8,
+    /// Code; of a remembered alarm bit its number, from 1.
+    pub code: Option<u16>,
+    /// 0 = information, 1 = warn, 2 = derate, 3 = stop.
+    pub severity: u8,
+    /// Number of the text, see [`text_id`].
+    pub text: u16,
+    /// When it came first, in milliseconds since power-on.
+    pub first_ms: u64,
+    /// How often it has come.
+    pub times: u16,
 }
 
 /// How the firmware is; counters since power-on.
@@ -74,6 +137,8 @@ pub struct Health {
     pub frames_received: u32,
     /// Frames dropped because they had too few bytes.
     pub frames_dropped_short: u32,
+    /// Frames dropped because their checksum was wrong.
+    pub frames_damaged: u32,
     /// Frames with an identifier that the vehicle's table does not have.
     pub frames_unknown: u32,
     /// Times that the CAN controller had no room for a frame.
@@ -193,6 +258,16 @@ pub struct Screen {
     pub inverter_celsius: Sample,
     /// Total distance in 0.1 km.
     pub odometer_hectometres: u32,
+    /// Number of the page: 0 main, 1 and 2 trips, 3 energy, 4 faults, 5 history, 6 and more technical.
+    pub page: u8,
+    /// Seconds until the battery opens the high-voltage circuit, while it asks for that.
+    pub hv_off_s: Option<u8>,
+    /// The vehicle limps.
+    pub limps: bool,
+    /// Largest current in limp mode in 0.1 A, if it is known.
+    pub limp_deciamps: Option<i32>,
+    /// What an inserted plug does: 0 nothing, 1 charging, 2 complete, 3 fault.
+    pub plug: Option<u8>,
     /// Lit lamps, bit n = n-th lamp of the cluster's list.
     pub telltales: u32,
     /// The message line, if one is shown.

@@ -154,6 +154,8 @@ pub enum Unit {
     Day,
     /// 0 = LOCK, 1 = ACC, 2 = ON, 3 = START.
     Key,
+    /// 0 = low, 1 = medium, 2 = high.
+    Fan,
     /// Bit n set = fault code n + 1 of the node is active; see [`crate::vehicle::FaultText`].
     Bits,
 }
@@ -463,6 +465,12 @@ model! {
     HvacHeating "hvac.heating" Flag;
     /// Air conditioning defrosts.
     HvacDefrosting "hvac.defrosting" Flag;
+    /// Speed of the fan, while the air conditioning is on.
+    HvacFan "hvac.fan" Fan;
+    /// Air conditioning lets in air from outside.
+    HvacFreshAir "hvac.fresh_air" Flag;
+    /// Air conditioning sterilises the air.
+    HvacSterilising "hvac.sterilising" Flag;
     /// Air conditioning is faulty.
     HvacFault "hvac.fault" Flag;
     /// Air temperature in the cabin.

@@ -82,7 +82,7 @@ impl Stream {
         // Both have at most 29 bits. Compared before divided: the chip divides slowly, and most frames are not of it.
         let distance = id.bits() as i32 - self.first.bits() as i32;
         let (distance, step) = if self.step < 0 { (-distance, -self.step) } else { (distance, self.step) };
-        let in_range = step > 0 && (0..step.saturating_mul(i32::from(self.frames))).contains(&distance);
+        let in_range = (0..step.saturating_mul(i32::from(self.frames))).contains(&distance);
         (in_range && distance % step == 0).then(|| (distance / step) as u8)
     }
 

@@ -77,6 +77,9 @@ impl fmt::Display for Reader {
             (Unit::Charge, 1) => Some("charging"),
             (Unit::Charge, 2) => Some("complete"),
             (Unit::Severity, _) => Some("none"),
+            (Unit::Fan, 0) => Some("low"),
+            (Unit::Fan, 1) => Some("medium"),
+            (Unit::Fan, 2) => Some("high"),
             _ => None,
         };
         if let Some(word) = word {
@@ -147,6 +150,7 @@ mod tests {
             (Unit::Gear, 0, "none"),
             (Unit::Flag, 1, "yes"),
             (Unit::Severity, 3, "stop"),
+            (Unit::Fan, 2, "high"),
             (Unit::Count, 104, "104"),
         ];
         for (unit, counts, text) in cases {

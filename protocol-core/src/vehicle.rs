@@ -92,6 +92,8 @@ pub struct FaultText {
     pub severity: Option<Severity>,
     /// The battery burns: the fault takes over everything and stands until power-off.
     pub fire: bool,
+    /// Battery and vehicle controller have lost each other: the vehicle limps (BUS-R115).
+    pub limps: bool,
     /// Text in simplified Chinese.
     pub zh: &'static str,
     /// Text in English.

@@ -18,6 +18,16 @@ fn hello() -> Record {
     Record::Hello { version: "0.1.0".into(), vehicle: "bus".into(), build: 0xDEAD_BEEF }
 }
 
+const LARGEST_FAULT: Fault = Fault {
+    place: 255,
+    source: 255,
+    code: Some(u16::MAX),
+    severity: 255,
+    text: u16::MAX,
+    first_ms: u64::MAX,
+    times: u16::MAX,
+};
+
 /// Every field at its longest encoding.
 fn largest() -> Vec<Record> {
     let worst = Sample::Value(i32::MIN);
@@ -32,6 +42,7 @@ fn largest() -> Vec<Record> {
             uptime_ms: u64::MAX,
             frames_received: m,
             frames_dropped_short: m,
+            frames_damaged: m,
             frames_unknown: m,
             overruns: m,
             ring_overflows: m,
@@ -58,6 +69,11 @@ fn largest() -> Vec<Record> {
             motor_celsius: worst,
             inverter_celsius: worst,
             odometer_hectometres: m,
+            page: 255,
+            hv_off_s: Some(255),
+            limps: true,
+            limp_deciamps: Some(i32::MIN),
+            plug: Some(255),
             telltales: m,
             line: Some(ScreenLine {
                 text: u16::MAX,
@@ -68,6 +84,20 @@ fn largest() -> Vec<Record> {
             }),
         }),
         Record::Panic { line: m, text: "p".repeat(64).as_str().into() },
+        Record::Trips(Trips {
+            trips: [Trip {
+                hectometres: m,
+                average_whkm: Some(i32::MIN),
+                used_watthours: m,
+                regained_watthours: m,
+            }; 2],
+            consumption_whkm: worst,
+            range_km: worst,
+            range_is_estimated: true,
+        }),
+        Record::Active { count: 255, fault: Some(LARGEST_FAULT) },
+        Record::Active { count: 0, fault: None },
+        Record::Remembered { count: 255, fault: LARGEST_FAULT, last_ms: u64::MAX },
     ]
 }
 
@@ -213,9 +243,9 @@ fn framed(payload: &[u8]) -> Vec<u8> {
 
 #[test]
 fn the_wire_format_is_the_one_that_the_module_page_states() {
-    // Version 1, record 4 = Panic, line 7, text of 2 bytes.
+    // Version 2, record 4 = Panic, line 7, text of 2 bytes.
     let record = Record::Panic { line: 7, text: "ab".into() };
-    assert_eq!(encoded(&record), framed(&[1, 4, 7, 2, b'a', b'b']));
+    assert_eq!(encoded(&record), framed(&[2, 4, 7, 2, b'a', b'b']));
 }
 
 #[test]

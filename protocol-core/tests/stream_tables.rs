@@ -213,3 +213,16 @@ proptest! {
         prop_assert!(pack.0.cells(stream("modules")).all(|(place, _)| place < 69));
     }
 }
+
+#[test]
+fn a_stream_without_room_in_the_tables_stores_nothing_and_shows_nothing() {
+    let cells = stream("cells");
+    for beyond in
+        [Stream { start: ROOM as u16, size: 1, ..*cells }, Stream { size: ROOM as u16 + 1, ..*cells }]
+    {
+        let mut streams = Streams::default();
+        streams.store(&beyond, 0, &[0, 33, 1, 33, 2, 33, 3, 33]);
+        assert_eq!((streams.cells(&beyond).count(), streams.cells(cells).count()), (0, 0));
+        assert_eq!(streams.summary(&beyond), Summary::default());
+    }
+}

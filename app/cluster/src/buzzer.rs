@@ -1,7 +1,8 @@
 //! The buzzer that a vehicle controller asks for, and a guard against one that never ends.
 //!
-//! The buzzer follows the bit. After two minutes without a break it falls silent although the bit stands; the bit has
-//! to fall before it may sound again. Silence of the sender neither sounds nor counts as a fall.
+//! The buzzer follows the bit. After two minutes without a break it falls silent although the bit stands, and when the
+//! driver has heard it; the bit has to fall before it may sound again. Silence of the sender neither sounds nor counts
+//! as a fall. The lamps go on with what they say.
 //! Source: C5-R013, C5-R014; reading C5-20.
 
 use protocol_core::Millis;
@@ -15,11 +16,13 @@ const GUARD_MS: u64 = 120_000;
 pub(crate) struct Buzzer {
     since: Option<Millis>,
     is_asked: bool,
+    /// The driver has silenced it.
+    is_heard: bool,
 }
 
 impl Buzzer {
     pub(crate) const fn new() -> Self {
-        Self { since: None, is_asked: false }
+        Self { since: None, is_asked: false, is_heard: false }
     }
 
     /// Takes the bit as it is now known.
@@ -27,14 +30,19 @@ impl Buzzer {
         self.is_asked = asked == Shown::Value(1);
         match asked {
             Shown::Value(1) => self.since = self.since.or(Some(now)),
-            Shown::Value(_) => self.since = None,
+            Shown::Value(_) => (self.since, self.is_heard) = (None, false),
             Shown::Never | Shown::Stale | Shown::Invalid => {}
         }
     }
 
+    /// Silences the buzzer until its bit has fallen.
+    pub(crate) fn silence(&mut self) {
+        self.is_heard = self.since.is_some();
+    }
+
     /// Returns whether the buzzer is to sound.
     pub(crate) fn sounds(self, now: Millis) -> bool {
-        self.is_asked && self.since.is_some_and(|since| now.since(since) < GUARD_MS)
+        self.is_asked && !self.is_heard && self.since.is_some_and(|since| now.since(since) < GUARD_MS)
     }
 }
 

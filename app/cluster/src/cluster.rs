@@ -4,23 +4,24 @@
 //! Source: BUS-R015, BUS-R016, BUS-R049, BUS-R129 with BUS-93, BUS-108, BUS-115; JL-R026, JL-R031.
 
 use crate::chime::{Chime, Player, Sound};
-use crate::debounce::Debounce;
 use crate::faults::Faults;
 use crate::history::Entry;
-use crate::inputs::{self, Button, Inputs, flag};
+use crate::inputs::{self, Button, Controller, Inputs, flag};
 use crate::lamps::Lamps;
 use crate::limp;
 use crate::odometer::Odometer;
+use crate::page::{CELLS, Contents, Count, Leaf, Page, Pages, Part, ROWS, Situation, parts_of};
+use crate::press::{Press, Push};
 use crate::reception::{Counters, Facts, MAX_MESSAGES, Nodes, Received, Reception};
 use crate::reverse::Reverse;
 use crate::settings::Settings;
+use crate::sources;
 use crate::telltale::Telltales;
-use crate::texts;
 use crate::timers::{Options, Timers};
 use crate::transmit::{MAX_SENT, Transmit};
 use crate::trip::{self, Trip, Trips};
-use crate::view::{ActiveFault, Limp, View};
-use protocol_core::model::{Gear, Reading, Readings, Shown, Value};
+use crate::view::{ActiveFault, Charging, Limp, List, Listed, Sheet, Text, View};
+use protocol_core::model::{Gear, Reading, Readings, Severity, Shown, Value};
 use protocol_core::vehicle::Vehicle;
 use protocol_core::{CanFrame, Millis};
 
@@ -30,9 +31,6 @@ const BULB_CHECK_MS: u64 = 3_000;
 const BOOT_MS: u64 = 5_000;
 /// Half a period of the heartbeat on the screen, in milliseconds.
 const HEARTBEAT_MS: u64 = 500;
-
-/// What the documents call the loss of the link between battery and vehicle controller.
-const LINK_FAULT: &str = "与整车控制器通讯故障";
 
 /// Versions that the cluster tells the vehicle, 0 to 255 (JL-R026).
 const HARDWARE: i32 = 1;
@@ -52,7 +50,9 @@ pub struct Cluster {
     trips: Trips,
     transmit: Transmit,
     settings: Settings,
-    buttons: (Debounce, Debounce),
+    buttons: (Press, Press),
+    pages: Pages,
+    controller: Option<Controller>,
     silent: Nodes,
     /// Time of the first tick.
     started: Option<Millis>,
@@ -81,7 +81,9 @@ impl Cluster {
             trips: Trips::new(),
             transmit: Transmit::new(),
             settings: Settings::new(),
-            buttons: (Debounce::new(), Debounce::new()),
+            buttons: (Press::new(), Press::new()),
+            pages: Pages::new(),
+            controller: None,
             silent: Nodes::NONE,
             started: None,
             listening: None,
@@ -123,12 +125,8 @@ impl Cluster {
     pub fn tick(&mut self, inputs: &Inputs, now: Millis) {
         self.started.get_or_insert(now);
         let listening = *self.listening.get_or_insert(now);
-        if self.buttons.0.pushed(inputs.buttons.next) {
-            self.press(Button::Next, now);
-        }
-        if self.buttons.1.pushed(inputs.buttons.menu) {
-            self.press(Button::Menu, now);
-        }
+        self.feel(inputs, now);
+        self.controller = inputs.controller;
         inputs::file(inputs, &mut self.reception.readings);
         self.silent = self.reception.silent_nodes(self.vehicle, listening, BOOT_MS, now);
         self.measure(now);
@@ -139,6 +137,14 @@ impl Cluster {
         let facts = Facts { vehicle, reception, timers, silent: *silent, started: listening, now };
         faults.tick(&facts);
         lamps.tick(&facts);
+        self.pages.follow(
+            Situation {
+                is_alarming: matches!(self.faults.sound(), Some(Sound::Fire | Sound::Stop)),
+                plug: self.charging(now).map(|charging| charging.plug),
+                speed: self.shown(Value::VehicleSpeed, now),
+            },
+            now,
+        );
         self.play(now);
         self.transmit.start(now);
     }
@@ -185,15 +191,121 @@ impl Cluster {
         self.player.play([self.faults.sound(), reverse, buzzer], now);
     }
 
-    /// Takes a push of a button.
+    /// Takes a sample of both buttons.
+    fn feel(&mut self, inputs: &Inputs, now: Millis) {
+        match self.buttons.0.sample(inputs.buttons.next, now) {
+            // A sound ends when the finger comes, not when it goes.
+            Some(Push::Begins) if self.silence(now) => self.buttons.0.spend(),
+            Some(Push::Short) => self.press(Button::Next, now),
+            Some(Push::Long) => self.hold(now),
+            Some(Push::Begins) | None => {}
+        }
+        if self.buttons.1.sample(inputs.buttons.menu, now) == Some(Push::Begins) {
+            self.press(Button::Menu, now);
+        }
+    }
+
+    /// Silences what can be silenced; returns whether there was anything.
+    fn silence(&mut self, now: Millis) -> bool {
+        let sounds = self.faults.sound().is_some() || self.timers.buzzer.sounds(now);
+        if sounds {
+            self.faults.acknowledge();
+            self.timers.buzzer.silence();
+            self.play(now);
+        }
+        sounds
+    }
+
+    /// Takes a short push of a button.
     pub fn press(&mut self, button: Button, now: Millis) {
         match button {
-            Button::Next if self.faults.sound().is_some() => {
-                self.faults.acknowledge();
-                self.play(now);
-            }
-            Button::Next => self.faults.next_line(now),
+            Button::Next if self.silence(now) => {}
+            Button::Next => self.pages.turn(self.contents(), now),
             Button::Menu => self.settings.advance(),
+        }
+    }
+
+    /// Takes a long push of [`Button::Next`]: a trip that is shown is set to zero, any other page gives way to the main
+    /// page.
+    pub fn hold(&mut self, now: Millis) {
+        if let Some(trip) = self.pages.hold(now) {
+            self.reset_trip(trip);
+        }
+    }
+
+    /// Returns how much there is to turn through.
+    fn contents(&self) -> Contents {
+        let is_sent = |part: &Part| {
+            *part == Part::Bus
+                || part.values().iter().any(|&value| self.reception.readings.get(value).is_some())
+        };
+        let bits = Part::ALL.iter().enumerate().map(|(place, part)| u8::from(is_sent(part)) << place);
+        Contents {
+            faults: self.faults.count(),
+            history: self.faults.history().iter().len(),
+            parts: bits.fold(0, |all, bit| all | bit),
+        }
+    }
+
+    /// Returns the page that is shown, with what only it shows.
+    fn page(&self, now: Millis) -> Page {
+        match self.pages.leaf() {
+            Leaf::Main => Page::Main,
+            Leaf::Trip(trip) => Page::Trip(trip),
+            Leaf::Energy => Page::Energy,
+            Leaf::Faults(part) => {
+                use Severity::{Derate, None, Stop, Warn};
+                let worst_first = [Stop, Derate, Warn, None].into_iter().flat_map(|severity| {
+                    self.active_faults(now).filter(move |fault| fault.severity == severity)
+                });
+                let rows = worst_first.map(|fault| {
+                    let ActiveFault { severity, text, code, count, first, .. } = fault;
+                    Listed { severity, text, code, count, at_s: seconds(first) }
+                });
+                Page::Faults(list(rows, part, self.faults.count()))
+            }
+            Leaf::History(part) => {
+                let entries = self.faults.history().iter();
+                let count = entries.len();
+                let rows = entries.rev().map(|entry| {
+                    let (text, code) = self.remembered(entry);
+                    let Entry { severity, count, last, .. } = *entry;
+                    Listed { severity, text, code, count, at_s: seconds(last) }
+                });
+                Page::History(list(rows, part, count))
+            }
+            Leaf::Technic(place) => {
+                let parts = self.contents().parts;
+                let part = Part::ALL.get(usize::from(place)).copied().unwrap_or_default();
+                let mut cells = [Shown::Never; CELLS];
+                if part == Part::Bus {
+                    cells.iter_mut().zip(Count::ALL).for_each(|(cell, &count)| *cell = self.count(count));
+                } else {
+                    let values = part.values().iter();
+                    cells.iter_mut().zip(values).for_each(|(cell, &value)| *cell = self.shown(value, now));
+                }
+                let before = parts & ((1 << place) - 1);
+                let (position, count) = (before.count_ones() as u8 + 1, parts.count_ones() as u8);
+                Page::Technic(Sheet { part, cells, position, count })
+            }
+        }
+    }
+
+    /// Returns a counter of the bus.
+    fn count(&self, count: Count) -> Shown<i32> {
+        let counters = self.counters();
+        let number = |number: u32| Shown::Value(i32::try_from(number).unwrap_or(i32::MAX));
+        let told = |tell: fn(Controller) -> u32| self.controller.map_or(Shown::Never, |it| number(tell(it)));
+        match count {
+            Count::State => told(|controller| controller.state as u32),
+            Count::TransmitErrors => told(|controller| controller.transmit_errors.into()),
+            Count::ReceiveErrors => told(|controller| controller.receive_errors.into()),
+            Count::Sent => told(|controller| controller.sent),
+            Count::Lost => told(|controller| controller.lost),
+            Count::Stored => number(counters.stored),
+            Count::Unknown => number(counters.unknown),
+            Count::Short => number(counters.too_short),
+            Count::Damaged => number(counters.damaged),
         }
     }
 
@@ -237,7 +349,7 @@ impl Cluster {
 
     /// Returns what was received so far.
     pub fn counters(&self) -> Counters {
-        self.reception.counters(self.vehicle)
+        self.reception.counters()
     }
 
     /// Returns the total distance in 1/8 km: what is to be kept for [`Self::restore`].
@@ -253,6 +365,11 @@ impl Cluster {
     /// Returns what went wrong since power-on, what came first at the front; see [`Entry::to_bytes`].
     pub fn history(&self) -> impl Iterator<Item = &Entry> {
         self.faults.history().iter()
+    }
+
+    /// Returns what is said of a remembered fault, and its code as the driver reads it.
+    pub fn remembered(&self, entry: &Entry) -> (Text, Option<u16>) {
+        sources::remembered(entry, self.vehicle)
     }
 
     /// Returns the sound that plays as of the last tick, and whether it is in a tone or in a pause now.
@@ -289,9 +406,10 @@ impl Cluster {
             journeys: self.trips.journeys(),
             consumption_whkm: trip::consumption_whkm(shown(Value::VehicleSpeed), power),
             range: self.trips.range(shown, known),
-            charging: trip::charging(shown, known(Value::BatteryCapacity)),
-            limp: self.limp(now),
+            charging: self.charging(now),
+            limp: self.limp(),
             hv_off_s: self.timers.hv_off.countdown_s(now),
+            page: self.page(now),
             telltales: if is_bulb_check { Telltales::ALL } else { self.lamps.lit() },
             severity: self.faults.worst(),
             line: self.faults.line(self.vehicle, &self.timers, now),
@@ -301,12 +419,28 @@ impl Cluster {
         }
     }
 
-    /// Returns the limits of limp mode while it holds: concluded, or reported by battery or vehicle (BUS-R115).
-    fn limp(&self, now: Millis) -> Option<Limp> {
-        let limps = |fault: ActiveFault| fault.text == texts::LIMP || fault.text.zh == LINK_FAULT;
-        let capacity_ah = self.reception.last_known(Value::BatteryCapacity);
-        self.active_faults(now)
-            .any(limps)
-            .then(|| Limp { limit_deciamps: capacity_ah.and_then(limp::limit_deciamps) })
+    /// Returns what there is to tell while a plug is inserted.
+    fn charging(&self, now: Millis) -> Option<Charging> {
+        trip::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
     }
+
+    /// Returns the limits of limp mode while it holds: concluded, or reported by battery or vehicle (BUS-R115).
+    fn limp(&self) -> Option<Limp> {
+        let capacity_ah = self.reception.last_known(Value::BatteryCapacity);
+        let limps = self.faults.limps(self.vehicle);
+        limps.then(|| Limp { limit_deciamps: capacity_ah.and_then(limp::limit_deciamps) })
+    }
+}
+
+/// Returns whole seconds since power-on.
+fn seconds(time: Millis) -> u32 {
+    u32::try_from(time.0 / 1_000).unwrap_or(u32::MAX)
+}
+
+/// Returns the part of a list, counted from 0; the last one when the list has become shorter than that.
+fn list(rows: impl Iterator<Item = Listed>, part: u8, length: usize) -> List {
+    let count = parts_of(length);
+    let part = part.min(count - 1);
+    let mut shown = rows.skip(usize::from(part) * ROWS);
+    List { rows: core::array::from_fn(|_| shown.next()), position: part + 1, count }
 }

@@ -162,7 +162,7 @@ impl Detector {
     /// Lets the sureness of what was found grow, and the doubt.
     fn observe(&mut self, found: Found, id: CanId, bitrate: u32, now: Millis) {
         if found.vehicle.has_id(id) {
-            if found.sureness < Sureness::Certain
+            if found.sureness == Sureness::Likely
                 && let Some(sureness) = self.evidence.as_mut().and_then(|evidence| evidence.add(id, now))
             {
                 self.found = Some(Found { sureness, ..found });

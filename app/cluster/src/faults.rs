@@ -10,6 +10,7 @@
 //! | the source rotates its codes        | a code stays until [`ROTATION_MS`] without it                  |
 //! | the source reports a lower severity | what it reported above goes at once: it reports its worst only |
 //! | the fault worsens                   | it moves up and sounds again                                   |
+//! | a level comes before its code       | the old code stands beside it until the next one comes         |
 //! | the source falls silent             | STOP stays, the rest goes                                      |
 //! | the driver acknowledges             | the sound ends, the line stays                                 |
 //!
@@ -47,6 +48,8 @@ pub(crate) struct Fault {
     last: Millis,
     /// The driver has acknowledged it: it makes no sound.
     heard: bool,
+    /// Its level has changed beside a code that may be the old level's: the next code replaces it.
+    lags: bool,
 }
 
 impl Fault {
@@ -110,7 +113,7 @@ impl Faults {
                 Report::Unknown => self.active.retain(|fault| fault.row != index || fault.severity == Stop),
             }
         }
-        self.take_turn(facts.now, false);
+        self.take_turn(facts.now);
     }
 
     /// Takes the one fault that a source reports now; what it reported before stays only while it may be rotating.
@@ -119,7 +122,10 @@ impl Faults {
             fault.row != index
                 || fault.is_same(index, code)
                 // A fault without its code yet is not one of several.
-                || fault.code.is_some() && fault.severity <= severity && now.since(fault.last) < ROTATION_MS
+                || fault.code.is_some()
+                    && !fault.lags
+                    && fault.severity <= severity
+                    && now.since(fault.last) < ROTATION_MS
         });
         self.present(index, row, severity, code, now);
     }
@@ -141,10 +147,11 @@ impl Faults {
                 self.history.worsened(row.source, code, severity);
             }
             fault.heard &= severity <= fault.severity;
+            fault.lags |= row.code_lags && severity != fault.severity;
             (fault.severity, fault.code, fault.last) = (severity, code, now);
             return;
         }
-        let fault = Fault { row: index, code, severity, first: now, last: now, heard: false };
+        let fault = Fault { row: index, code, severity, first: now, last: now, heard: false, lags: false };
         if self.active.is_full() {
             let mildest = self.active.iter().enumerate().min_by_key(|(_, fault)| fault.severity);
             match mildest.map(|(place, mildest)| (place, mildest.severity)) {
@@ -158,14 +165,14 @@ impl Faults {
         let _ = self.active.insert(place.unwrap_or(self.active.len()), fault);
     }
 
-    /// Gives the line to the next fault of the worst severity if its time has come, its fault is gone, or `now_on`.
-    fn take_turn(&mut self, now: Millis, now_on: bool) {
+    /// Gives the line to the next fault of the worst severity if its time has come or its fault is gone.
+    fn take_turn(&mut self, now: Millis) {
         let worst = self.worst_active();
         let mut shown = self.active.iter().filter(|fault| fault.severity == worst);
         let turn = self.turn.filter(|turn| turn.severity == worst);
         let place = turn.and_then(|turn| shown.clone().position(|fault| fault.is_same(turn.row, turn.code)));
         let (place, since) = match (turn, place) {
-            (Some(turn), Some(place)) if !now_on && now.since(turn.since) < TURN_MS => (place, turn.since),
+            (Some(turn), Some(place)) if now.since(turn.since) < TURN_MS => (place, turn.since),
             (_, Some(place)) => (place + 1, now),
             // What followed the fault that is gone has moved into its place.
             (Some(turn), None) => (turn.place, now),
@@ -188,11 +195,6 @@ impl Faults {
     /// Returns whether the vehicle reports `code`.
     fn is_forwarded(&self, code: u16) -> bool {
         self.active.iter().any(|fault| fault.row == FORWARDED && fault.code == Some(code))
-    }
-
-    /// Turns to the next line at once.
-    pub(crate) fn next_line(&mut self, now: Millis) {
-        self.take_turn(now, true);
     }
 
     /// Silences every fault that is active now.
@@ -237,6 +239,16 @@ impl Faults {
             position: turn.place as u8 + 1,
             count: shown.count() as u8,
         })
+    }
+
+    /// Returns whether an active fault means that the vehicle limps.
+    pub(crate) fn limps(&self, vehicle: &Vehicle) -> bool {
+        self.active.iter().any(|fault| fault.row().is_some_and(|row| row.limps(fault, vehicle)))
+    }
+
+    /// Returns how many faults are active.
+    pub(crate) fn count(&self) -> usize {
+        self.active.len()
     }
 
     /// Returns every active fault, in the order of the table.

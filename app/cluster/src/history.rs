@@ -94,6 +94,8 @@ sources! {
     PowerLimit 32;
     /// Drive torque is limited.
     TorqueLimit 33;
+    /// A gear was not engaged.
+    ShiftFailed 34;
     /// No communication with the vehicle controller.
     SilentVcu 64;
     /// No communication with the motor controller.
@@ -236,7 +238,7 @@ impl History {
     }
 
     /// Returns the entries, the one that came first at the front.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = &Entry> {
+    pub(crate) fn iter(&self) -> impl DoubleEndedIterator<Item = &Entry> + ExactSizeIterator {
         self.entries.iter()
     }
 }

@@ -4,6 +4,7 @@
 //! messages read them like anything else. Refuses to know pins, dividers and debouncing of hardware.
 //! Source: bus document, Meter1 BYTE1 to BYTE7; BUS-R128, BUS-94 to BUS-96.
 
+use protocol_core::link::CanState;
 use protocol_core::model::{Reading, Readings, Value};
 
 /// Key position.
@@ -59,7 +60,7 @@ pub struct Lights {
 /// A button of the cluster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Button {
-    /// Silences the sound; without a sound, turns to the next line.
+    /// Silences the sound; without a sound, turns to the next page.
     Next,
     /// Turns to the next setting: language, then colours.
     Menu,
@@ -72,6 +73,21 @@ pub struct Buttons {
     pub next: bool,
     /// [`Button::Menu`].
     pub menu: bool,
+}
+
+/// How the CAN controller is; counters since power-on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Controller {
+    /// Error state.
+    pub state: CanState,
+    /// Transmit error counter.
+    pub transmit_errors: u8,
+    /// Receive error counter.
+    pub receive_errors: u8,
+    /// Frames sent and acknowledged.
+    pub sent: u32,
+    /// Frames that the controller or the queue behind it had no room for.
+    pub lost: u32,
 }
 
 /// Everything that comes in without a bus.
@@ -99,40 +115,35 @@ pub struct Inputs {
     pub air_rear_centimpa: Option<u16>,
     /// Buttons.
     pub buttons: Buttons,
+    /// The CAN controller; `None` = there is none to ask.
+    pub controller: Option<Controller>,
 }
 
-/// One input and the model value that it is filed as.
-struct Row {
-    value: Value,
-    read: fn(&Inputs) -> Reading,
-}
-
-const fn row(value: Value, read: fn(&Inputs) -> Reading) -> Row {
-    Row { value, read }
-}
+/// The model value that an input is filed as, and how it is read.
+type Row = (Value, fn(&Inputs) -> Reading);
 
 const ROWS: &[Row] = &[
-    row(Value::BodyKey, |i| Reading::Valid(i.key as i32)),
-    row(Value::BodyDoorFront, |i| flag(i.doors.front)),
-    row(Value::BodyDoorMiddle, |i| flag(i.doors.middle)),
-    row(Value::BodyDoorRear, |i| flag(i.doors.rear)),
-    row(Value::BodyDoorHatch, |i| flag(i.doors.hatch)),
-    row(Value::BodyHandBrake, |i| flag(i.hand_brake)),
-    row(Value::BodySmoke, |i| flag(i.smoke)),
-    row(Value::BodySeatEmpty, |i| flag(i.seat_empty)),
-    row(Value::BodyHorn, |i| flag(i.horn)),
-    row(Value::BodyLowBeam, |i| flag(i.lights.low_beam)),
-    row(Value::BodyHighBeam, |i| flag(i.lights.high_beam)),
-    row(Value::BodyBrakeLamp, |i| flag(i.lights.brake)),
-    row(Value::BodyTurnRight, |i| flag(i.lights.turn_right)),
-    row(Value::BodyTurnLeft, |i| flag(i.lights.turn_left)),
-    row(Value::BodyHazard, |i| flag(i.lights.hazard)),
-    row(Value::BodyFrontFog, |i| flag(i.lights.front_fog)),
-    row(Value::BodyRearFog, |i| flag(i.lights.rear_fog)),
-    row(Value::BodySideLamp, |i| flag(i.lights.side)),
-    row(Value::SupplyVoltage, |i| measured(i.supply_decivolts)),
-    row(Value::AirFront, |i| measured(i.air_front_centimpa)),
-    row(Value::AirRear, |i| measured(i.air_rear_centimpa)),
+    (Value::BodyKey, |i| Reading::Valid(i.key as i32)),
+    (Value::BodyDoorFront, |i| flag(i.doors.front)),
+    (Value::BodyDoorMiddle, |i| flag(i.doors.middle)),
+    (Value::BodyDoorRear, |i| flag(i.doors.rear)),
+    (Value::BodyDoorHatch, |i| flag(i.doors.hatch)),
+    (Value::BodyHandBrake, |i| flag(i.hand_brake)),
+    (Value::BodySmoke, |i| flag(i.smoke)),
+    (Value::BodySeatEmpty, |i| flag(i.seat_empty)),
+    (Value::BodyHorn, |i| flag(i.horn)),
+    (Value::BodyLowBeam, |i| flag(i.lights.low_beam)),
+    (Value::BodyHighBeam, |i| flag(i.lights.high_beam)),
+    (Value::BodyBrakeLamp, |i| flag(i.lights.brake)),
+    (Value::BodyTurnRight, |i| flag(i.lights.turn_right)),
+    (Value::BodyTurnLeft, |i| flag(i.lights.turn_left)),
+    (Value::BodyHazard, |i| flag(i.lights.hazard)),
+    (Value::BodyFrontFog, |i| flag(i.lights.front_fog)),
+    (Value::BodyRearFog, |i| flag(i.lights.rear_fog)),
+    (Value::BodySideLamp, |i| flag(i.lights.side)),
+    (Value::SupplyVoltage, |i| measured(i.supply_decivolts)),
+    (Value::AirFront, |i| measured(i.air_front_centimpa)),
+    (Value::AirRear, |i| measured(i.air_rear_centimpa)),
 ];
 
 /// Returns the reading of a yes or no.
@@ -146,9 +157,9 @@ fn measured(value: Option<u16>) -> Reading {
 
 /// Files `inputs` as local values; what the vehicle sends on its bus has precedence over the own wire.
 pub(crate) fn file(inputs: &Inputs, readings: &mut Readings) {
-    for row in ROWS {
-        if readings.get(row.value).is_none_or(|(_, source)| source == Readings::LOCAL) {
-            readings.set(Readings::LOCAL, row.value, (row.read)(inputs));
+    for &(value, read) in ROWS {
+        if readings.get(value).is_none_or(|(_, source)| source == Readings::LOCAL) {
+            readings.set(Readings::LOCAL, value, read(inputs));
         }
     }
 }

@@ -39,15 +39,17 @@ struct Row {
     unless_sent: Option<Value>,
 }
 
-impl Row {
-    const fn unless_sent(mut self, value: Value) -> Self {
-        self.unless_sent = Some(value);
-        self
-    }
-}
-
-const fn row(lamp: Telltale, when: When, silence: Silence) -> Row {
-    Row { lamp, when, silence, unless_sent: None }
+macro_rules! rows {
+    ($($lamp:ident $silence:ident: $when:expr $(, unless sent $value:ident)?;)*) => {
+        &[$(Row {
+            lamp: Telltale::$lamp,
+            when: $when,
+            silence: Silence::$silence,
+            unless_sent: rows!(@unless $($value)?),
+        }),*]
+    };
+    (@unless) => { None };
+    (@unless $value:ident) => { Some(Value::$value) };
 }
 
 /// State of charge below which the lamp lights and above which it goes out, in 0.1 % (BUS-R096).
@@ -61,51 +63,50 @@ const OPEN: i32 = 0;
 const CHARGING: i32 = 1;
 const FAULT: i32 = 2;
 
-use Silence::{Darkens, Keeps};
+use Silence::Keeps;
 use When::{AnySilent, AtLeast, Is, Low};
 
-const ROWS: &[Row] = &[
-    row(Telltale::TurnLeft, Is(Value::BodyTurnLeft, 1), Darkens),
-    row(Telltale::TurnRight, Is(Value::BodyTurnRight, 1), Darkens),
-    row(Telltale::LowBeam, Is(Value::BodyLowBeam, 1), Darkens),
-    row(Telltale::HighBeam, Is(Value::BodyHighBeam, 1), Darkens),
-    row(Telltale::FrontFog, Is(Value::BodyFrontFog, 1), Darkens),
-    row(Telltale::RearFog, Is(Value::BodyRearFog, 1), Darkens),
-    row(Telltale::Ready, Is(Value::VehicleReady, 1), Darkens),
-    row(Telltale::SystemFault, Is(Value::VehicleFault, 1), Keeps),
-    row(Telltale::SystemFault, AtLeast(Value::VehicleFaultLevel, 1), Keeps).unless_sent(Value::VehicleFault),
-    row(Telltale::SystemFault, AtLeast(Value::VehicleControllerLevel, 1), Keeps),
-    row(Telltale::BatteryFault, AtLeast(Value::BatteryFaultLevel, 1), Keeps),
-    row(Telltale::BatteryFault, Is(Value::BatteryFault, 1), Keeps),
-    row(Telltale::BatteryFault, Is(Value::BatterySmoke, 1), Keeps),
-    row(Telltale::MotorFault, Is(Value::MotorFault, 1), Keeps),
-    row(Telltale::MotorFault, AtLeast(Value::MotorFaultLevel, 1), Keeps),
-    row(Telltale::Insulation, AtLeast(Value::InsulationLevel, 1), Keeps),
-    row(Telltale::Insulation, Is(Value::InsulationFault, 1), Keeps),
-    row(Telltale::PowerLimited, Is(Value::VehiclePowerLimited, 1), Darkens),
-    row(Telltale::PowerLimited, Is(Value::VehicleTorqueLimited, 1), Darkens),
-    row(Telltale::LowCharge, Low(Value::BatterySoc, SOC_LOW, SOC_LOW_CLEAR), Darkens)
-        .unless_sent(Value::BatteryLow),
-    row(Telltale::LowCharge, Is(Value::BatteryLow, 1), Darkens),
-    row(Telltale::BatteryCut, Is(Value::ContactorMain, OPEN), Darkens),
-    row(Telltale::ChargePlug, Is(Value::ChargePlug, 1), Darkens),
-    row(Telltale::Charging, Is(Value::ChargeState, CHARGING), Darkens),
-    row(Telltale::LowVoltage, Is(Value::DcdcState, FAULT), Keeps),
-    row(Telltale::LowVoltage, Is(Value::DcdcFault, 1), Keeps),
-    row(Telltale::LowVoltage, Is(Value::SupplyLow, 1), Keeps),
-    row(Telltale::LowVoltage, Is(Value::VehicleSupplyLow, 1), Keeps),
-    row(Telltale::Steering, Is(Value::SteeringState, FAULT), Keeps),
-    row(Telltale::Compressor, Is(Value::CompressorState, FAULT), Keeps),
-    row(Telltale::Compressor, Is(Value::CompressorFault, 1), Keeps),
-    row(Telltale::ParkingBrake, Is(Value::BodyHandBrake, 1), Darkens),
-    row(Telltale::Door, Is(Value::BodyDoorFront, 1), Darkens),
-    row(Telltale::Door, Is(Value::BodyDoorMiddle, 1), Darkens),
-    row(Telltale::Door, Is(Value::BodyDoorRear, 1), Darkens),
-    row(Telltale::Door, Is(Value::BodyDoorHatch, 1), Darkens),
-    row(Telltale::AirPressure, Low(Value::AirFront, AIR_LOW, AIR_LOW - 1), Keeps),
-    row(Telltale::AirPressure, Low(Value::AirRear, AIR_LOW, AIR_LOW - 1), Keeps),
-    row(Telltale::NoCommunication, AnySilent, Darkens),
-];
+const ROWS: &[Row] = rows! {
+    TurnLeft Darkens: Is(Value::BodyTurnLeft, 1);
+    TurnRight Darkens: Is(Value::BodyTurnRight, 1);
+    LowBeam Darkens: Is(Value::BodyLowBeam, 1);
+    HighBeam Darkens: Is(Value::BodyHighBeam, 1);
+    FrontFog Darkens: Is(Value::BodyFrontFog, 1);
+    RearFog Darkens: Is(Value::BodyRearFog, 1);
+    Ready Darkens: Is(Value::VehicleReady, 1);
+    SystemFault Keeps: Is(Value::VehicleFault, 1);
+    SystemFault Keeps: AtLeast(Value::VehicleFaultLevel, 1), unless sent VehicleFault;
+    SystemFault Keeps: AtLeast(Value::VehicleControllerLevel, 1);
+    BatteryFault Keeps: AtLeast(Value::BatteryFaultLevel, 1);
+    BatteryFault Keeps: Is(Value::BatteryFault, 1);
+    BatteryFault Keeps: Is(Value::BatterySmoke, 1);
+    MotorFault Keeps: Is(Value::MotorFault, 1);
+    MotorFault Keeps: AtLeast(Value::MotorFaultLevel, 1);
+    Insulation Keeps: AtLeast(Value::InsulationLevel, 1);
+    Insulation Keeps: Is(Value::InsulationFault, 1);
+    PowerLimited Darkens: Is(Value::VehiclePowerLimited, 1);
+    PowerLimited Darkens: Is(Value::VehicleTorqueLimited, 1);
+    LowCharge Darkens: Low(Value::BatterySoc, SOC_LOW, SOC_LOW_CLEAR), unless sent BatteryLow;
+    LowCharge Darkens: Is(Value::BatteryLow, 1);
+    BatteryCut Darkens: Is(Value::ContactorMain, OPEN);
+    ChargePlug Darkens: Is(Value::ChargePlug, 1);
+    Charging Darkens: Is(Value::ChargeState, CHARGING);
+    LowVoltage Keeps: Is(Value::DcdcState, FAULT);
+    LowVoltage Keeps: Is(Value::DcdcFault, 1);
+    LowVoltage Keeps: Is(Value::SupplyLow, 1);
+    LowVoltage Keeps: Is(Value::VehicleSupplyLow, 1);
+    Steering Keeps: Is(Value::SteeringState, FAULT);
+    Compressor Keeps: Is(Value::CompressorState, FAULT);
+    Compressor Keeps: Is(Value::CompressorFault, 1);
+    ParkingBrake Darkens: Is(Value::BodyHandBrake, 1);
+    Door Darkens: Is(Value::BodyDoorFront, 1);
+    Door Darkens: Is(Value::BodyDoorMiddle, 1);
+    Door Darkens: Is(Value::BodyDoorRear, 1);
+    Door Darkens: Is(Value::BodyDoorHatch, 1);
+    AirPressure Keeps: Low(Value::AirFront, AIR_LOW, AIR_LOW - 1);
+    AirPressure Keeps: Low(Value::AirRear, AIR_LOW, AIR_LOW - 1);
+    NoCommunication Darkens: AnySilent;
+};
 
 const _: () = assert!(ROWS.len() <= u64::BITS as usize, "one bit of memory per row");
 

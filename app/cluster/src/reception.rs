@@ -42,8 +42,11 @@ pub struct Counters {
     pub too_short: u32,
     /// Frames with a wrong check byte.
     pub damaged: u32,
-    last_seen: [Option<Millis>; NODES],
+    last_seen: LastSeen,
 }
+
+/// When each node gave its last sign of life.
+type LastSeen = [Option<Millis>; NODES];
 
 impl Counters {
     /// Returns when `node` gave its last sign of life.
@@ -67,6 +70,7 @@ const NEVER: Millis = Millis(u64::MAX);
 pub(crate) struct Reception {
     pub(crate) readings: Readings,
     signs: [Sign; MAX_MESSAGES],
+    last_seen: LastSeen,
     stored: u32,
     unknown: u32,
     too_short: u32,
@@ -79,6 +83,7 @@ impl Reception {
         Self {
             readings: Readings::new(),
             signs: [Sign { at: NEVER, life: 0 }; MAX_MESSAGES],
+            last_seen: [None; NODES],
             stored: 0,
             unknown: 0,
             too_short: 0,
@@ -118,14 +123,16 @@ impl Reception {
     /// Stores the values of a message and its sign of life.
     fn store(&mut self, vehicle: &Vehicle, index: u8, message: &RxMessage, frame: &CanFrame, now: Millis) {
         (vehicle.decode)(index, frame.padded(), &mut self.readings);
-        if let Some(sign) = self.signs.get_mut(usize::from(index)) {
-            let life = message.life.map(|life| {
-                let byte = frame.padded().get(usize::from(life.byte)).copied().unwrap_or(0);
-                byte & life.mask
-            });
-            if life.is_none_or(|life| life != sign.life) || sign.at == NEVER {
-                *sign = Sign { at: now, life: life.unwrap_or(0) };
-            }
+        let life = message.life.map(|life| {
+            let byte = frame.padded().get(usize::from(life.byte)).copied().unwrap_or(0);
+            byte & life.mask
+        });
+        if let Some(sign) = self.signs.get_mut(usize::from(index))
+            && let Some(last_seen) = self.last_seen.get_mut(message.node as usize)
+            && (sign.at == NEVER || life.is_none_or(|life| life != sign.life))
+        {
+            *sign = Sign { at: now, life: life.unwrap_or(0) };
+            *last_seen = (*last_seen).max(Some(now));
         }
     }
 
@@ -175,18 +182,14 @@ impl Reception {
 
     /// Returns whether message `index` has gone without a sign of life for its time-out.
     fn is_silent(&self, vehicle: &Vehicle, index: usize, now: Millis) -> bool {
-        match (self.signs.get(index), vehicle.rx.get(index)) {
-            (Some(sign), Some(message)) => {
-                sign.at == NEVER || now.since(sign.at) >= u64::from(message.timeout_ms)
-            }
-            _ => true,
-        }
+        self.signs.get(index).zip(vehicle.rx.get(index)).is_none_or(|(sign, message)| {
+            sign.at == NEVER || now.since(sign.at) >= u64::from(message.timeout_ms)
+        })
     }
 
     /// Returns when `node` gave its last sign of life.
-    pub(crate) fn last_sign(&self, vehicle: &Vehicle, node: Node) -> Option<Millis> {
-        let of_node = vehicle.rx.iter().zip(&self.signs).filter(|(message, _)| message.node == node);
-        of_node.map(|(_, sign)| sign.at).filter(|&at| at != NEVER).max()
+    pub(crate) fn last_sign(&self, node: Node) -> Option<Millis> {
+        self.last_seen.get(node as usize).copied().flatten()
     }
 
     /// Returns the nodes of which an expected message is missing.
@@ -215,19 +218,13 @@ impl Reception {
     }
 
     /// Returns what was received so far.
-    pub(crate) fn counters(&self, vehicle: &Vehicle) -> Counters {
-        let mut last_seen = [None; NODES];
-        for message in vehicle.rx {
-            if let Some(last) = last_seen.get_mut(message.node as usize) {
-                *last = self.last_sign(vehicle, message.node);
-            }
-        }
+    pub(crate) fn counters(&self) -> Counters {
         Counters {
             stored: self.stored,
             unknown: self.unknown,
             too_short: self.too_short,
             damaged: self.damaged,
-            last_seen,
+            last_seen: self.last_seen,
         }
     }
 }
@@ -288,7 +285,7 @@ impl Facts<'_> {
 
     /// Returns how long ago `node` gave its last sign of life, in milliseconds; never = since the start.
     fn silence_ms(&self, node: Node) -> u64 {
-        self.now.since(self.reception.last_sign(self.vehicle, node).unwrap_or(self.started))
+        self.now.since(self.reception.last_sign(node).unwrap_or(self.started))
     }
 
     /// Returns what is known of the link between battery and vehicle controller.

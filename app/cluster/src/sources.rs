@@ -7,7 +7,7 @@
 //! JL-23, JL-24, JL-56.
 
 use crate::faults::Fault;
-use crate::history::Source;
+use crate::history::{Entry, Source};
 use crate::hv_off::Phase;
 use crate::reception::Facts;
 use crate::texts;
@@ -77,6 +77,8 @@ pub(crate) struct Row {
     words: Words,
     /// The sender reports several codes in turn: each is a fault of its own.
     pub(crate) rotates: bool,
+    /// Level and code come in messages of their own: for a while a new level stands beside the code of the old one.
+    pub(crate) code_lags: bool,
     /// Left out while the vehicle reports the same code: the vehicle arbitrates (BUS-77).
     unless_forwarded: bool,
     /// Left out on a vehicle that sends this value: it says the same in more detail.
@@ -87,8 +89,8 @@ pub(crate) struct Row {
 impl Row {
     const fn new(source: Source, when: When, grade: Grade, words: Words) -> Self {
         let (code, unless_sent) = (None, None);
-        let (rotates, unless_forwarded, sounds) = (false, false, false);
-        Self { source, when, grade, code, words, rotates, unless_forwarded, unless_sent, sounds }
+        let (rotates, code_lags, unless_forwarded, sounds) = (false, false, false, false);
+        Self { source, when, grade, code, words, rotates, code_lags, unless_forwarded, unless_sent, sounds }
     }
 
     const fn code(mut self, value: Value) -> Self {
@@ -98,6 +100,11 @@ impl Row {
 
     const fn rotates(mut self) -> Self {
         self.rotates = true;
+        self
+    }
+
+    const fn code_lags(mut self) -> Self {
+        self.code_lags = true;
         self
     }
 
@@ -160,9 +167,10 @@ pub(crate) const ROWS: &[Row] = &[
         .code(V::VehicleFaultCode).rotates().sounds(),
     Row::level(S::ControllerLevel, V::VehicleControllerLevel, ByLevel(CONTROLLER)).sounds(),
     Row::flag(S::VehicleFault, V::VehicleFault, Always(Warn), texts::SYSTEM).unless_sent(V::VehicleFaultLevel),
+    Row::flag(S::ShiftFailed, V::VehicleShiftFailed, Always(Warn), texts::SHIFT_FAILED).sounds(),
     Row::new(S::HvOff, When::HvOff, Always(Stop), Words::HvOff).sounds(),
     Row::level(S::Battery, V::BatteryFaultLevel, ByCode(Node::Bms, BATTERY))
-        .code(V::BatteryFaultCode).rotates().unless_forwarded().sounds(),
+        .code(V::BatteryFaultCode).rotates().code_lags().unless_forwarded().sounds(),
     Row::flag(S::BatterySmoke, V::BatterySmoke, Always(Stop), texts::BATTERY_SMOKE).unless_sent(V::BatteryAlarms).sounds(),
     Row::new(S::BatteryAlarm, When::Bits(V::BatteryAlarms), Stage(V::BatteryFaultLevel), ByBit(&[Node::Bms], texts::BATTERY)).sounds(),
     Row::flag(S::BatteryFault, V::BatteryFault, Always(Warn), texts::BATTERY).unless_sent(V::BatteryAlarms),
@@ -205,6 +213,13 @@ pub(crate) const ROWS: &[Row] = &[
     Row::silent(S::SilentCharger, Node::Charger, Warn),
     Row::silent(S::SilentHvac, Node::Hvac, Warn),
 ];
+
+/// Returns what is said of a remembered fault, and its code as the driver reads it.
+pub(crate) fn remembered(entry: &Entry, vehicle: &Vehicle) -> (Text, Option<u16>) {
+    // Every source has a row; the first of two rows says the same as the other.
+    let row = ROWS.iter().find(|row| row.source == entry.source).unwrap_or(&ROWS[0]);
+    (row.words.of(entry.severity, entry.code, vehicle, None), row.printed(entry.code))
+}
 
 /// Row of the vehicle controller's codes.
 pub(crate) const FORWARDED: u8 = 1;
@@ -278,9 +293,15 @@ impl Row {
         code.filter(|_| !matches!(self.when, When::Bits(_)))
     }
 
+    /// Returns whether `fault` means that the vehicle limps: by its row, or by what the vehicle's documents say of it.
+    pub(crate) fn limps(&self, fault: &Fault, vehicle: &Vehicle) -> bool {
+        let text = fault.code.and_then(|code| self.words.fault_text(vehicle, code));
+        matches!(self.when, When::Limps) || text.is_some_and(|text| text.limps)
+    }
+
     /// Returns what the line says of `fault`.
     pub(crate) fn text(&self, fault: &Fault, vehicle: &Vehicle, phase: Option<Phase>) -> Text {
-        self.words.of(fault, vehicle, phase)
+        self.words.of(fault.severity, fault.code, vehicle, phase)
     }
 }
 
@@ -321,15 +342,15 @@ impl Grade {
 }
 
 impl Words {
-    fn of(&self, fault: &Fault, vehicle: &Vehicle, phase: Option<Phase>) -> Text {
+    fn of(&self, severity: Severity, code: Option<u16>, vehicle: &Vehicle, phase: Option<Phase>) -> Text {
         // The driver reads the number that the vehicle's own documents use.
         let counts_down = vehicle.worst_level == 1;
-        let by_level = |texts: &[Text; 3]| match fault.severity {
+        let by_level = |texts: &[Text; 3]| match severity {
             Severity::None | Warn => texts[if counts_down { 2 } else { 0 }],
             Derate => texts[1],
             Stop => texts[if counts_down { 0 } else { 2 }],
         };
-        let of_vehicle = || fault.code.and_then(|code| self.fault_text(vehicle, code));
+        let of_vehicle = || code.and_then(|code| self.fault_text(vehicle, code));
         let from = |text: &FaultText| Text { zh: text.zh, en: text.en };
         match self {
             Self::Always(text) => *text,
@@ -351,6 +372,64 @@ impl Words {
             ByCode(node, _) => vehicle.fault(node, code),
             ByBit(nodes, _) => nodes.iter().find_map(|&node| vehicle.fault(node, code)),
             _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// What a row says besides when it reports, as one can compare it: values, then switches.
+    fn traits(row: &Row) -> ([Option<Value>; 2], [bool; 4]) {
+        ([row.code, row.unless_sent], [row.rotates, row.code_lags, row.unless_forwarded, row.sounds])
+    }
+
+    #[test]
+    fn each_word_of_a_row_says_one_thing_and_leaves_the_others() {
+        let plain =
+            || Row::new(S::Supply, When::Code(V::SupplyLow), Always(Warn), Words::Always(texts::SUPPLY_LOW));
+        let (none, off) = ([None; 2], [false; 4]);
+        assert_eq!(traits(&plain()), (none, off));
+        assert_eq!(traits(&plain().code(V::DcdcState)), ([Some(V::DcdcState), None], off));
+        assert_eq!(traits(&plain().unless_sent(V::DcdcState)), ([None, Some(V::DcdcState)], off));
+        assert_eq!(traits(&plain().rotates()), (none, [true, false, false, false]));
+        assert_eq!(traits(&plain().code_lags()), (none, [false, true, false, false]));
+        assert_eq!(traits(&plain().unless_forwarded()), (none, [false, false, true, false]));
+        assert_eq!(traits(&plain().sounds()), (none, [false, false, false, true]));
+    }
+
+    #[test]
+    fn each_kind_of_row_reports_on_its_values() {
+        let level = Row::level(S::Battery, V::BatteryFaultLevel, ByLevel(BATTERY));
+        assert!(matches!(level.when, When::Level(V::BatteryFaultLevel)));
+        assert!(matches!(level.grade, Level(V::BatteryFaultLevel)), "a level grades itself");
+        let flag = Row::flag(S::Hvac, V::HvacFault, Always(Warn), texts::HVAC);
+        assert!(matches!(flag.when, When::Is(V::HvacFault, 1)));
+        let any_of = Row::any_of(S::Cooling, &[V::CoolingFanFault], Always(Warn), texts::COOLING);
+        assert!(matches!(any_of.when, When::AnyOf([V::CoolingFanFault])));
+        let component = Row::component(S::Dcdc, V::DcdcState, V::DcdcFaultCode, texts::DCDC);
+        assert!(matches!(component.when, When::Is(V::DcdcState, FAULT)));
+        assert!(matches!(component.grade, Joins(Warn)), "BUS-113: the documents print no level");
+        assert_eq!(traits(&component), ([Some(V::DcdcFaultCode), None], [false; 4]));
+        let silent = Row::silent(S::SilentMcu, Node::Mcu, Warn);
+        assert!(matches!((silent.when, silent.grade), (When::Silent(Node::Mcu), Always(Warn))));
+    }
+
+    #[test]
+    fn every_source_has_a_row_and_every_silent_node_its_own_text() {
+        let sources: BTreeSet<Source> = ROWS.iter().map(|row| row.source).collect();
+        assert_eq!(sources.len(), Source::ALL.len());
+        let mut named = BTreeSet::new();
+        for row in ROWS {
+            if let When::Silent(node) = row.when {
+                let text = texts::silent(node);
+                assert!(matches!(row.words, Words::Always(words) if words == text), "{}", text.en);
+                assert!(text.en.starts_with("No communication: "), "{}", text.en);
+                assert!(named.insert(text.en) && named.insert(text.zh), "{} is said of two nodes", text.en);
+            }
         }
     }
 }

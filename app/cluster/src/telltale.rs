@@ -96,7 +96,12 @@ impl Telltales {
 
     /// Lights or darkens `lamp`.
     pub fn set(&mut self, lamp: Telltale, lit: bool) {
-        self.0 = self.0 & !(1 << lamp as u8) | u32::from(lit) << lamp as u8;
+        let bit = 1 << lamp as u8;
+        if lit {
+            self.0 |= bit;
+        } else {
+            self.0 &= !bit;
+        }
     }
 
     /// Returns whether `lamp` is lit.

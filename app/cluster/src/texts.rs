@@ -24,6 +24,8 @@ texts! {
     SYSTEM_3 "系统三级故障" "System fault level 3";
     /// A fault code of the vehicle controller that has no text of its own.
     VEHICLE_CODE "整车故障代码" "Vehicle fault code";
+    /// The vehicle has not taken the gear that was asked for.
+    SHIFT_FAILED "挂档失败" "Gear not engaged";
     /// The battery reports level 1.
     BATTERY_1 "动力电池一级故障" "Battery fault level 1";
     /// The battery reports level 2.
@@ -110,6 +112,14 @@ texts! {
     SILENT_CHARGER "充电机通信中断" "No communication: charger";
     /// The contactor box has stopped sending.
     SILENT_CONTACTORS "高压控制盒通信中断" "No communication: contactors";
+    /// The CAN controller does not answer.
+    NO_CONTROLLER "CAN 控制器通信中断" "No CAN controller: check wiring";
+    /// The cluster has been reset by a fault of its own; the code is the source line.
+    RESTARTED "仪表故障后重启" "Cluster restarted after a fault";
+    /// No vehicle has been recognised yet.
+    LISTENING "总线监测中" "Listening for a vehicle";
+    /// As much speaks for another vehicle as for the one recognised.
+    DOUBT "总线与车不匹配" "Another vehicle on this bus";
 }
 
 /// Returns the text of a node that has stopped sending.

@@ -36,7 +36,7 @@ impl Timers {
     pub(crate) fn observe(&mut self, vehicle: &Vehicle, reception: &Reception, now: Millis) {
         let shown = |value| reception.shown(vehicle, value, now);
         self.hv_off.observe(shown(Value::BatteryHvOffRequest), shown(Value::ContactorMain), now);
-        self.charger.observe(shown(Value::ChargePlug), reception.last_sign(vehicle, Node::Charger), now);
+        self.charger.observe(shown(Value::ChargePlug), reception.last_sign(Node::Charger), now);
         self.buzzer.observe(shown(Value::VehicleBuzzer), now);
     }
 }

@@ -3,6 +3,7 @@
 //! The cluster fills a [`View`], the UI draws it. Two equal views give equal pixels.
 
 use crate::history::Source;
+use crate::page::{CELLS, Page, Part, ROWS};
 use crate::telltale::Telltales;
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Severity, Shown};
@@ -66,6 +67,45 @@ pub struct ActiveFault {
     pub first: Millis,
     /// How often it has come since power-on.
     pub count: u16,
+}
+
+/// One row of a list of faults.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Listed {
+    /// How bad it is now, or has been at its worst.
+    pub severity: Severity,
+    /// What is said.
+    pub text: Text,
+    /// Fault code, shown as a number.
+    pub code: Option<u16>,
+    /// How often it has come since power-on.
+    pub count: u16,
+    /// When it came, in seconds since power-on.
+    pub at_s: u32,
+}
+
+/// The part of a list of faults that is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct List {
+    /// The rows, without gaps.
+    pub rows: [Option<Listed>; ROWS],
+    /// This part's number, from 1.
+    pub position: u8,
+    /// How many parts the list has.
+    pub count: u8,
+}
+
+/// The part of the technical page that is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sheet {
+    /// Which one.
+    pub part: Part,
+    /// Its values, in the order of [`Part::values`] or of [`Count`](crate::page::Count); the rest is never seen.
+    pub cells: [Shown<i32>; CELLS],
+    /// This part's number among those that the vehicle has, from 1.
+    pub position: u8,
+    /// How many parts the vehicle has.
+    pub count: u8,
 }
 
 /// Limp mode: the vehicle drives without word from its battery (BUS-R080); there is no regeneration.
@@ -164,6 +204,8 @@ pub struct View {
     pub limp: Option<Limp>,
     /// Seconds until the battery opens the high-voltage circuit, while it asks for that (BUS-68).
     pub hv_off_s: Option<u8>,
+    /// The page, with what only it shows.
+    pub page: Page,
     /// Lit lamps.
     pub telltales: Telltales,
     /// Worst severity that is active.
@@ -199,6 +241,7 @@ impl Default for View {
             charging: None,
             limp: None,
             hv_off_s: None,
+            page: Page::Main,
             telltales: Telltales::NONE,
             severity: Severity::None,
             line: None,

@@ -139,3 +139,11 @@ fn a_rate_with_frames_survives_errors_and_is_left_when_only_errors_remain() {
     let left = (5_000..6_000).step_by(10).find(|&now| dial.listen(false, true, Millis(now)).is_some());
     assert_eq!(left, Some(5_300), "500 ms after the last frame, at 4800");
 }
+
+#[test]
+fn where_all_vehicles_have_one_rate_errors_change_nothing() {
+    static SAME_RATE: [&Vehicle; 2] = [&bus::VEHICLE, &jiulong::VEHICLE];
+    let mut dial = Dial::new(&SAME_RATE);
+    assert!((0..10_000).step_by(10).all(|now| dial.listen(false, true, Millis(now)).is_none()));
+    assert_eq!(dial.bitrate(), 250_000);
+}

@@ -125,6 +125,7 @@ pub(crate) struct Fault {
     pub(crate) code: u16,
     pub(crate) severity: Option<Severity>,
     pub(crate) fire: bool,
+    pub(crate) limps: bool,
     pub(crate) zh: String,
     pub(crate) en: String,
 }
@@ -462,8 +463,9 @@ impl Reader<'_> {
         let DeValue::Array(list) = at.get_ref() else {
             return Some(RxValue { value, terms: vec![self.term(value, at, message, maps)?] });
         };
-        if !matches!(value.unit(), Unit::Flag | Unit::Severity | Unit::Bits) {
-            let text = format!("`{}` is no flag, severity or bits: a list has no meaning", value.path());
+        if !matches!(value.unit(), Unit::Flag | Unit::Severity | Unit::Fan | Unit::Bits) {
+            let text =
+                format!("`{}` is no flag, severity, fan speed or bits: a list has no meaning", value.path());
             self.report.offset(at.span().start, text);
         }
         let terms: Vec<Term> = list.iter().filter_map(|at| self.term(value, at, message, maps)).collect();
@@ -1047,8 +1049,8 @@ impl Reader<'_> {
     }
 
     fn fault(&mut self, at: &Spanned<DeValue<'_>>, sources: &[Node], rows: &mut Vec<Fault>) {
-        let (mut code, mut severity, mut fire, mut zh, mut en) =
-            (0, None, false, String::new(), String::new());
+        let (mut code, mut severity, mut zh, mut en) = (0, None, String::new(), String::new());
+        let (mut fire, mut limps) = (false, false);
         for (key, value) in self.table(at) {
             match key.get_ref().as_ref() {
                 "code" => code = self.number(value, 1..=0xFFFF) as u16,
@@ -1065,14 +1067,15 @@ impl Reader<'_> {
                         }
                     };
                 }
-                "fire" => match value.get_ref() {
-                    DeValue::Boolean(flag) => fire = *flag,
+                name @ ("fire" | "limps") => match value.get_ref() {
+                    DeValue::Boolean(flag) if name == "fire" => fire = *flag,
+                    DeValue::Boolean(flag) => limps = *flag,
                     _ => self.wrong(value, "true or false"),
                 },
                 "zh" => zh = self.text(value),
                 "en" => en = self.text(value),
                 other => {
-                    let known = ["code", "level", "fire", "zh", "en"];
+                    let known = ["code", "level", "fire", "limps", "zh", "en"];
                     self.unknown(key.span().start, "key", other, known.into_iter());
                 }
             }
@@ -1084,7 +1087,7 @@ impl Reader<'_> {
             if rows.iter().any(|row| row.source == source && row.code == code) {
                 self.report.offset(at.span().start, format!("code {code} is named twice for this source"));
             }
-            rows.push(Fault { source, code, severity, fire, zh: zh.clone(), en: en.clone() });
+            rows.push(Fault { source, code, severity, fire, limps, zh: zh.clone(), en: en.clone() });
         }
     }
 }

@@ -58,6 +58,7 @@ pub(crate) fn words(unit: Unit) -> &'static [(&'static str, i32)] {
         Unit::Run => &[("stopped", 0), ("running", 1), ("fault", 2)],
         Unit::Charge => &[("idle", 0), ("charging", 1), ("complete", 2), ("fault", 3)],
         Unit::Key => &[("lock", 0), ("acc", 1), ("on", 2), ("start", 3)],
+        Unit::Fan => &[("low", 0), ("medium", 1), ("high", 2)],
         _ => &[],
     }
 }

@@ -100,8 +100,8 @@ fn write_rows(out: &mut String, network: &Network, binding: &Binding) {
         };
         let _ = writeln!(
             out,
-            "    FaultText {{ source: Node::{:?}, code: {}, severity: {severity}, fire: {}, zh: {:?}, en: {:?} }},",
-            fault.source, fault.code, fault.fire, fault.zh, fault.en
+            "    FaultText {{ source: Node::{:?}, code: {}, severity: {severity}, fire: {}, limps: {}, zh: {:?}, en: {:?} }},",
+            fault.source, fault.code, fault.fire, fault.limps, fault.zh, fault.en
         );
     }
     let _ = writeln!(out, "];\n\nstatic NODES: &[NodeName] = &[");

@@ -209,7 +209,7 @@ fn units_states_and_directions_must_fit() {
     );
     only(
         wrong_toml("battery.current = \"speed\"", "battery.current = [\"speed\"]"),
-        "vehicle.toml:10: `battery.current` is no flag, severity or bits: a list has no meaning",
+        "vehicle.toml:10: `battery.current` is no flag, severity, fan speed or bits: a list has no meaning",
     );
 }
 

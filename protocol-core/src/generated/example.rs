@@ -1079,14 +1079,14 @@ static TX: &[TxMessage] = &[
 
 /// Texts of the fault codes, sorted by source and code.
 pub static FAULTS: &[FaultText] = &[
-    FaultText { source: Node::Vcu, code: 1, severity: Some(Severity::Warn), fire: false, zh: "动力电池电量低", en: "Battery charge low" },
-    FaultText { source: Node::Vcu, code: 2, severity: Some(Severity::Derate), fire: false, zh: "电机温度高", en: "Motor hot: power reduced" },
-    FaultText { source: Node::Vcu, code: 3, severity: Some(Severity::Stop), fire: false, zh: "绝缘故障", en: "Insulation fault" },
-    FaultText { source: Node::Mcu, code: 1, severity: Some(Severity::Derate), fire: false, zh: "电机控制器温度高", en: "Inverter hot" },
-    FaultText { source: Node::Mcu, code: 2, severity: Some(Severity::Stop), fire: false, zh: "电机系统故障", en: "Resolver lost" },
-    FaultText { source: Node::Bms, code: 1, severity: Some(Severity::Warn), fire: false, zh: "单体压差大", en: "Cells uneven" },
-    FaultText { source: Node::Bms, code: 2, severity: Some(Severity::Derate), fire: false, zh: "单体欠压", en: "Cell voltage low" },
-    FaultText { source: Node::Bms, code: 3, severity: Some(Severity::Stop), fire: false, zh: "单体过压", en: "Cell voltage high" },
+    FaultText { source: Node::Vcu, code: 1, severity: Some(Severity::Warn), fire: false, limps: false, zh: "动力电池电量低", en: "Battery charge low" },
+    FaultText { source: Node::Vcu, code: 2, severity: Some(Severity::Derate), fire: false, limps: false, zh: "电机温度高", en: "Motor hot: power reduced" },
+    FaultText { source: Node::Vcu, code: 3, severity: Some(Severity::Stop), fire: false, limps: false, zh: "绝缘故障", en: "Insulation fault" },
+    FaultText { source: Node::Mcu, code: 1, severity: Some(Severity::Derate), fire: false, limps: false, zh: "电机控制器温度高", en: "Inverter hot" },
+    FaultText { source: Node::Mcu, code: 2, severity: Some(Severity::Stop), fire: false, limps: false, zh: "电机系统故障", en: "Resolver lost" },
+    FaultText { source: Node::Bms, code: 1, severity: Some(Severity::Warn), fire: false, limps: false, zh: "单体压差大", en: "Cells uneven" },
+    FaultText { source: Node::Bms, code: 2, severity: Some(Severity::Derate), fire: false, limps: false, zh: "单体欠压", en: "Cell voltage low" },
+    FaultText { source: Node::Bms, code: 3, severity: Some(Severity::Stop), fire: false, limps: false, zh: "单体过压", en: "Cell voltage high" },
 ];
 
 static NODES: &[NodeName] = &[

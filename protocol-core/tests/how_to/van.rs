@@ -233,7 +233,7 @@ static TX: &[TxMessage] = &[
 
 /// Texts of the fault codes, sorted by source and code.
 pub static FAULTS: &[FaultText] = &[
-    FaultText { source: Node::Vcu, code: 3, severity: Some(Severity::Stop), fire: false, zh: "绝缘故障", en: "Insulation fault" },
+    FaultText { source: Node::Vcu, code: 3, severity: Some(Severity::Stop), fire: false, limps: false, zh: "绝缘故障", en: "Insulation fault" },
 ];
 
 static NODES: &[NodeName] = &[

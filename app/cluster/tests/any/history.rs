@@ -41,6 +41,16 @@ fn the_worst_that_a_fault_has_been_is_remembered_and_worsening_is_no_return() {
 }
 
 #[test]
+fn the_worst_is_remembered_even_if_it_lasted_for_one_tick() {
+    let mut drive = Drive::new();
+    for level in [1, 3, 1] {
+        drive.keep(Node::Vcu, V::VehicleFaultLevel, level);
+        drive.run_by(CYCLE, CYCLE);
+    }
+    assert_eq!(entries(&drive).iter().map(|entry| entry.severity).collect::<Vec<_>>(), [Severity::Stop]);
+}
+
+#[test]
 fn a_component_that_changes_its_code_has_two_entries() {
     let mut drive = Drive::new();
     drive.keep(Node::Dcdc, V::DcdcState, 2);

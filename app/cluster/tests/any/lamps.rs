@@ -1,7 +1,7 @@
 //! Telltales: every condition lights its lamp alone, and nothing healthy is lit from stale data.
 
 use crate::probe::*;
-use cluster::{Inputs, Telltale};
+use cluster::{Inputs, Telltale, Telltales};
 use proptest::prelude::*;
 use protocol_core::generated::VEHICLES;
 use protocol_core::model::Value as V;
@@ -150,4 +150,27 @@ fn air_pressure_lights_its_lamp_below_400_kpa_exactly() {
             );
         }
     }
+}
+
+#[test]
+fn each_lamp_is_set_and_read_alone() {
+    let mut all = 0;
+    for &lamp in Telltale::ALL {
+        let mut some = Telltales::NONE;
+        // Twice the same is the same.
+        for lit in [true, true] {
+            some.set(lamp, lit);
+            let read: Vec<_> = Telltale::ALL.iter().filter(|&&other| some.is_lit(other)).collect();
+            assert_eq!(read, [&lamp]);
+        }
+        assert_eq!(some.bits(), 1 << (lamp as u32), "bits go by the order of the lamps");
+        all |= some.bits();
+        let mut others = Telltales::ALL;
+        for lit in [false, false] {
+            others.set(lamp, lit);
+            assert_eq!(others.bits() | some.bits(), Telltales::ALL.bits());
+            assert!(!others.is_lit(lamp));
+        }
+    }
+    assert_eq!(Telltales::ALL.bits(), all, "the bulb check lights every lamp, and nothing that is none");
 }

@@ -2,9 +2,11 @@
 
 mod history;
 mod lamps;
+mod parts;
 mod sources;
 mod timing;
 mod trips;
+mod worlds;
 
 /// A vehicle that can say everything.
 mod probe;

@@ -45,16 +45,21 @@ const RX: [RxMessage; NODES.len()] = {
     rows
 };
 
+/// The code that says the battery burns.
+pub(crate) const FIRE_CODE: i32 = 99;
+
 const fn alarm(source: Node, code: u16, severity: Option<Severity>, en: &'static str) -> FaultText {
-    FaultText { source, code, severity, fire: false, zh: en, en }
+    FaultText { source, code, severity, fire: false, limps: false, zh: en, en }
 }
 
 const FAULTS: &[FaultText] = &[
     alarm(Node::Vcu, 70, None, "Link fault"),
+    FaultText { fire: true, ..alarm(Node::Vcu, FIRE_CODE as u16, None, "Fire") },
     alarm(Node::Bms, 1, None, "Alarm 1"),
     alarm(Node::Bms, 2, Some(Severity::Derate), "Alarm 2"),
     alarm(Node::Bms, 3, Some(Severity::Stop), "Alarm 3"),
     alarm(Node::Bms, 32, Some(Severity::Warn), "Alarm 32"),
+    FaultText { fire: true, ..alarm(Node::Bms, FIRE_CODE as u16, None, "Fire") },
 ];
 
 pub(crate) static PROBE: Vehicle = Vehicle {
@@ -112,13 +117,18 @@ impl Drive {
     }
 
     pub(crate) fn run(&mut self, ms: u64) {
+        self.run_by(ms, TICK);
+    }
+
+    /// Lets time pass in steps of `tick_ms`; the frames of a step come before its tick.
+    pub(crate) fn run_by(&mut self, ms: u64, tick_ms: u64) {
         let end = self.now.after(ms);
         while self.now < end {
             if self.now.0.is_multiple_of(CYCLE) {
                 self.send_all();
             }
             self.cluster.tick(&self.inputs, self.now);
-            self.now = self.now.after(TICK);
+            self.now = self.now.after(tick_ms);
         }
     }
 

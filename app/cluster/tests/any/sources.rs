@@ -14,6 +14,7 @@ const SOURCES: &[Source] = &[
     (V::VehicleFaultLevel, 2, "System fault level 2", Derate, true),
     (V::VehicleControllerLevel, 3, "Vehicle controller fault", Stop, true),
     (V::VehicleFault, 1, "System fault", Warn, false),
+    (V::VehicleShiftFailed, 1, "Gear not engaged", Warn, true),
     (V::BatteryHvOffRequest, 1, "Battery asks for HV off: stop", Stop, true),
     (V::BatteryFaultLevel, 1, "Battery fault level 1", Warn, true),
     (V::BatterySmoke, 1, "Smoke in the battery", Stop, true),
@@ -225,6 +226,44 @@ fn sixty_alarms_at_once_keep_the_worst_and_end_with_their_causes() {
     drive.keep(Node::Vcu, V::VehicleFaultLevel, 0);
     drive.run(CYCLE);
     assert_eq!(drive.faults(), []);
+}
+
+#[test]
+fn a_full_set_takes_a_worse_fault_for_a_mild_one_and_no_further_mild_one() {
+    let mut drive = Drive::new();
+    drive.keep(Node::Bms, V::BatteryAlarms, -1);
+    drive.keep(Node::Mcu, V::MotorAlarms, -1);
+    drive.run(CYCLE);
+    let active = |drive: &Drive| -> Vec<_> {
+        drive
+            .cluster
+            .active_faults(drive.at())
+            .map(|fault| (fault.source, fault.severity, fault.first))
+            .collect()
+    };
+    let full = active(&drive);
+    drive.keep(Node::Vcu, V::BrakeAbsFault, 1);
+    drive.run(1_000);
+    assert_eq!(active(&drive), full, "the same faults since the same time: none gives way to its like");
+    assert!(!drive.texts().contains(&"ABS fault"));
+    drive.inputs.smoke = true;
+    drive.run(CYCLE);
+    assert!(drive.faults().contains(&("Smoke alarm", None, Stop)));
+    assert_eq!(active(&drive).len(), full.len(), "one made room");
+    let stops = |faults: &[(_, Severity, _)]| faults.iter().filter(|fault| fault.1 == Stop).count();
+    assert_eq!(stops(&active(&drive)), stops(&full) + 1, "and it was a mild one");
+}
+
+#[test]
+fn codes_that_a_battery_rotates_at_one_level_stand_side_by_side() {
+    let mut drive = Drive::new();
+    drive.keep(Node::Bms, V::BatteryFaultLevel, 2);
+    for code in [5, 6, 5, 6] {
+        drive.keep(Node::Bms, V::BatteryFaultCode, code);
+        drive.run(1_000);
+    }
+    let codes: Vec<_> = drive.faults().into_iter().map(|fault| fault.1).collect();
+    assert_eq!(codes, [Some(5), Some(6)]);
 }
 
 /// Sources whose severity grows with the vehicle controller's own report (BUS-113).

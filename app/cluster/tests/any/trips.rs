@@ -241,6 +241,29 @@ fn the_charger_s_own_figures_stand_in_for_the_battery_s() {
     assert_eq!((charging.decivolts, charging.hectowatts), (Shown::Value(4_000), Shown::Value(100)));
 }
 
+#[test]
+fn the_battery_s_figures_come_first_and_nothing_stands_in_for_nothing() {
+    let mut drive = Drive::new();
+    drive.keep(Node::Bms, V::ChargeState, 1);
+    steady(&mut drive, 0, 5_000, -1_000);
+    drive.keep(Node::Charger, V::ChargerVoltage, 4_000);
+    drive.keep(Node::Charger, V::ChargerCurrent, 250);
+    drive.run(CYCLE);
+    let charging = drive.view().charging.expect("charging");
+    assert_eq!((charging.decivolts, charging.deciamps), (Shown::Value(5_000), Shown::Value(1_000)));
+    for value in [V::BatteryVoltage, V::BatteryCurrent] {
+        drive.keep_invalid(Node::Bms, value);
+    }
+    drive.hush(Node::Charger);
+    drive.run(TIMEOUT);
+    let charging = drive.view().charging.expect("charging");
+    assert_eq!(
+        (charging.decivolts, charging.deciamps),
+        (Shown::Invalid, Shown::Invalid),
+        "as the battery says"
+    );
+}
+
 fn set(cluster: &mut Cluster, value: V, number: i32, now: Millis) {
     let [a, b, c, d] = number.to_le_bytes();
     cluster.receive(&CanFrame::full(PROBE.rx[0].id, [value as u8, 0, 0, 0, a, b, c, d]), now);

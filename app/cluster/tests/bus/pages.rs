@@ -155,6 +155,28 @@ fn bus_r135_bus_r137_bus_r138_the_bits_of_the_air_conditioning_say_what_it_does(
 }
 
 #[test]
+fn bus_r136_the_fan_runs_high_medium_or_low() {
+    // BYTE2 bit 5 = on and low, bit 6 = medium, bit 7 = high; the faster bit wins.
+    for (byte, speed) in
+        [(0x00, 0), (0x20, 0), (0x40, 1), (0x60, 1), (0x80, 2), (0xA0, 2), (0xC0, 2), (0xE0, 2)]
+    {
+        let mut ride = Ride::new();
+        ride.send(HVAC, [0, byte, 0, 64, 60, 0, 0, 1]);
+        assert_eq!(shown(&ride, Value::HvacFan), Shown::Value(speed), "{byte:02X}");
+    }
+}
+
+#[test]
+fn bus_r138_fresh_air_and_sterilising_each_have_a_bit() {
+    for (byte, states) in [(0x00, [0, 0]), (0x04, [1, 0]), (0x08, [0, 1]), (0xF3, [0, 0])] {
+        let mut ride = Ride::new();
+        ride.send(HVAC, [0, 0x20, byte, 64, 60, 0, 0, 1]);
+        let what = [Value::HvacFreshAir, Value::HvacSterilising].map(|value| shown(&ride, value));
+        assert_eq!(what, states.map(Shown::Value), "{byte:02X}");
+    }
+}
+
+#[test]
 fn c5_r002_the_cluster_sends_nothing_that_could_hold_a_reserved_field() {
     assert_eq!(c5ev::VEHICLE.tx.len(), 0);
 }

@@ -238,6 +238,25 @@ fn bus_r027_a_lower_level_means_that_the_higher_faults_are_gone() {
 }
 
 #[test]
+fn a_code_that_comes_behind_its_level_leaves_nothing_of_the_old_one() {
+    let mut drive = Drive::healthy();
+    drive.battery_faults(2, 63);
+    drive.run(CYCLE);
+    // The level is in one message, the code in another: for a moment STOP stands beside the code of level 2.
+    drive.battery_faults(3, 63);
+    drive.run(CYCLE);
+    drive.battery_faults(3, 20);
+    drive.run(CYCLE);
+    assert_eq!(drive.turns(3), [("Battery fault level 3", Some(20))]);
+    // And the same on the way back.
+    drive.battery_faults(2, 20);
+    drive.run(CYCLE);
+    drive.battery_faults(2, 63);
+    drive.run(CYCLE);
+    assert_eq!(drive.turns(3), [("Battery fault level 2", Some(63))]);
+}
+
+#[test]
 fn a_fault_that_worsens_moves_up_at_once() {
     let mut drive = Drive::healthy();
     drive.faults(1, 500);
@@ -391,18 +410,4 @@ fn when_the_shown_fault_goes_the_one_after_it_is_next() {
     drive.keep(PARTS, [1, 0, 2, 4, 2, 6, 0, 0]);
     drive.run(CYCLE);
     assert_eq!(drive.line(), Some(("Air compressor fault", Some(6))));
-}
-
-#[test]
-fn the_button_turns_to_the_next_line() {
-    let mut drive = Drive::healthy();
-    drive.faults(0, 700);
-    drive.keep(DRIVE, [1, 0, 0, 0b1100, 0, 0, 0, 0]);
-    drive.run(CYCLE);
-    let mut seen = Vec::new();
-    for _ in 0..4 {
-        seen.extend(drive.line().map(|(text, _)| text));
-        drive.cluster.press(cluster::Button::Next, drive.now);
-    }
-    assert_eq!(seen, ["Vehicle fault code", "Power limited", "Torque limited", "Vehicle fault code"]);
 }

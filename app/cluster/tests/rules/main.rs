@@ -5,6 +5,7 @@ mod faults;
 mod lamps;
 mod odometer;
 mod own_wires;
+mod pages;
 mod properties;
 mod reception;
 mod screen;

@@ -44,7 +44,7 @@ const fn tx(id: CanId, name: &'static str, cycle_ms: u32, life: Life) -> TxMessa
 
 const fn fault(source: Node, code: u16, zh: &'static str, en: &'static str) -> FaultText {
     let severity = if code == 9 { Some(Severity::Stop) } else { None };
-    FaultText { source, code, severity, fire: false, zh, en }
+    FaultText { source, code, severity, fire: false, limps: false, zh, en }
 }
 
 const fn fire(source: Node) -> FaultText {

@@ -1,0 +1,62 @@
+//! A button: what its wire, sampled every tick, says of the finger on it.
+//!
+//! A push is told at once, for what must not wait; whether it was short or long shows later. A push that has been used
+//! is neither.
+
+use crate::debounce::Debounce;
+use protocol_core::Millis;
+
+/// How long a button is held down for a long push, in milliseconds.
+const LONG_MS: u64 = 1_000;
+
+/// What a finger does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Push {
+    /// The button goes down.
+    Begins,
+    /// It has come up before it was long.
+    Short,
+    /// It has been down for [`LONG_MS`].
+    Long,
+}
+
+/// One button.
+#[derive(Clone, Copy)]
+pub(crate) struct Press {
+    down: Debounce,
+    up: Debounce,
+    /// When the push began that is neither short nor long yet.
+    since: Option<Millis>,
+}
+
+impl Press {
+    /// Returns a button that is up; one held down since power-on counts once.
+    pub(crate) const fn new() -> Self {
+        Self { down: Debounce::new(), up: Debounce::new(), since: None }
+    }
+
+    /// Takes one sample of the wire.
+    pub(crate) fn sample(&mut self, down: bool, now: Millis) -> Option<Push> {
+        // Both are fed with every sample: each is a level of its own.
+        let (has_gone_down, has_come_up) = (self.down.pushed(down), self.up.pushed(!down));
+        if has_gone_down {
+            self.since = Some(now);
+            return Some(Push::Begins);
+        }
+        let since = self.since?;
+        let push = if has_come_up {
+            Push::Short
+        } else if now.since(since) >= LONG_MS {
+            Push::Long
+        } else {
+            return None;
+        };
+        self.since = None;
+        Some(push)
+    }
+
+    /// Uses the push up: it is neither short nor long any more.
+    pub(crate) fn spend(&mut self) {
+        self.since = None;
+    }
+}
