@@ -3,7 +3,8 @@
 //! A line of the cluster goes first; these fill the place when there is none, or a lesser one.
 
 use cluster::View;
-use cluster::view::{Line, Text};
+use cluster::texts;
+use cluster::view::Line;
 use pico::Boot;
 use protocol_core::{Millis, Severity};
 
@@ -15,18 +16,13 @@ const RESTARTED_MS: u64 = 10_000;
 /// Time that the CAN controller has to come up before its absence is shown, in milliseconds.
 const CONTROLLER_MS: u64 = 100;
 
-/// The CAN controller does not answer.
-const NO_CONTROLLER: Text = Text { zh: "CAN 控制器通信中断", en: "No CAN controller: check wiring" };
-/// The cluster has been reset by a fault of its own; the code is the source line.
-const RESTARTED: Text = Text { zh: "系统故障", en: "Cluster restarted after a fault" };
-
 /// Adds the firmware's own line to `view`, if there is one.
 pub fn add(view: &mut View, controller_answers: bool, recognition: &Recognition, boot: &Boot, now: Millis) {
     let line = |severity, text, code| Line { severity, text, code, position: 1, count: 1 };
     let own = match (&boot.note, controller_answers) {
-        (_, false) if now.0 >= CONTROLLER_MS => line(Severity::Warn, NO_CONTROLLER, None),
+        (_, false) if now.0 >= CONTROLLER_MS => line(Severity::Warn, texts::NO_CONTROLLER, None),
         (Some(note), _) if now.0 < RESTARTED_MS => {
-            line(Severity::Warn, RESTARTED, u16::try_from(note.line).ok())
+            line(Severity::Warn, texts::RESTARTED, u16::try_from(note.line).ok())
         }
         _ => match recognition.line(now) {
             Some((severity, text)) => line(severity, text, None),

@@ -34,6 +34,7 @@ mod queue;
 mod recognition;
 mod tasks;
 mod telemetry;
+mod wires;
 
 use core::panic::PanicInfo;
 
@@ -44,7 +45,7 @@ mod app {
     use core::mem::MaybeUninit;
 
     use cluster::{Cluster, View};
-    use pico::{Backlight, Boot, Buttons, Buzzer, Led, LinkPort, Memory, PanelPort};
+    use pico::{Backlight, Boot, Buzzer, Led, LinkPort, Memory, PanelPort};
     use rtic_monotonics::rp2040::prelude::*;
     use rtic_sync::make_signal;
     use rtic_sync::signal::{SignalReader, SignalWriter};
@@ -53,6 +54,7 @@ mod app {
     use crate::queue::{FrameQueue, FrameReader, FrameWriter};
     use crate::recognition::{self, Recognition};
     use crate::tasks::{Tile, Watch, draw, idle, link_done, panel_done, report, tick};
+    use crate::wires::Wires;
 
     rp2040_timer_monotonic!(Mono);
 
@@ -77,7 +79,7 @@ mod app {
         panel: PanelPort,
         tiles: [Tile; 2],
         backlight: Backlight,
-        buttons: Buttons,
+        wires: Wires,
         buzzer: Buzzer,
         led: Led,
         recognition: Recognition,
@@ -126,7 +128,7 @@ mod app {
                     cx.local.tile_b.write([0; ui::TILE_PIXELS]),
                 ],
                 backlight: board.backlight,
-                buttons: board.buttons,
+                wires: Wires::new(board.buttons, board.body, board.gauges),
                 buzzer: board.buzzer,
                 led: board.led,
                 recognition: Recognition::new(),
@@ -151,7 +153,7 @@ mod app {
 
         #[task(
             priority = 2,
-            local = [frames_out, views_in, buttons, buzzer, led, recognition, watch],
+            local = [frames_out, views_in, wires, buzzer, led, recognition, watch],
             shared = [can, cluster, &boot],
         )]
         async fn tick(cx: tick::Context);

@@ -5,6 +5,7 @@
 
 use cluster::Cluster;
 use cluster::detect::{Detector, Dial};
+use cluster::texts;
 use cluster::view::Text;
 use protocol_core::generated::VEHICLES;
 use protocol_core::vehicle::{NO_VEHICLE, Vehicle};
@@ -47,11 +48,6 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
 const PATIENCE_MS: u64 = 1_000;
 /// Time for which the name of a vehicle is shown after its recognition, in milliseconds.
 const NAME_MS: u64 = 5_000;
-
-/// No vehicle has been recognised yet.
-const LISTENING: Text = Text { zh: "总线监测中", en: "Listening for a vehicle" };
-/// As much speaks for another vehicle as for the one recognised.
-const DOUBT: Text = Text { zh: "总线与车不匹配", en: "Another vehicle on this bus" };
 
 /// Returns the cluster to start with.
 pub fn cluster() -> Cluster {
@@ -113,11 +109,11 @@ impl Recognition {
     pub fn line(&self, now: Millis) -> Option<(Severity, Text)> {
         match (FIXED, self.detector.found(), self.detector.contradiction()) {
             (Some(_), ..) => None,
-            (None, Some(_), Some(_)) => Some((Severity::Warn, DOUBT)),
+            (None, Some(_), Some(_)) => Some((Severity::Warn, texts::DOUBT)),
             (None, Some(found), None) if now.since(found.at) < NAME_MS => {
                 Some((Severity::None, Text { zh: found.vehicle.zh, en: found.vehicle.en }))
             }
-            (None, None, _) if now.0 >= PATIENCE_MS => Some((Severity::None, LISTENING)),
+            (None, None, _) if now.0 >= PATIENCE_MS => Some((Severity::None, texts::LISTENING)),
             _ => None,
         }
     }

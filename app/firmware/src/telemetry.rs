@@ -1,9 +1,10 @@
 //! From the state of the firmware to records of the PC link: conversions only.
 
-use cluster::{Cluster, Counters, View};
+use cluster::{Cluster, Controller, Counters, View};
 use pico::{Boot, Reset};
 use protocol_core::link::{
-    CHUNK, CanState, Chunk, Excerpt, Health, Record, ResetReason, Sample, Screen, ScreenLine, text_id,
+    CHUNK, CanState, Chunk, Excerpt, Fault, Health, Record, ResetReason, Sample, Screen, ScreenLine, Trip,
+    Trips, text_id,
 };
 use protocol_core::{Millis, Shown, Value, Vehicle};
 
@@ -41,6 +42,27 @@ pub struct Measured {
     pub idle_permille: u16,
 }
 
+fn state(state: BusState) -> CanState {
+    match state {
+        BusState::Active => CanState::ErrorActive,
+        BusState::Warning => CanState::Warning,
+        BusState::Passive => CanState::ErrorPassive,
+        BusState::BusOff => CanState::BusOff,
+    }
+}
+
+/// How the CAN controller is, as the cluster wants it; one that does not answer is offline.
+pub fn controller(can: Status) -> Controller {
+    let chip = can.controller.unwrap_or_default();
+    Controller {
+        state: can.controller.map_or(CanState::Offline, |chip| state(chip.state)),
+        transmit_errors: chip.transmit_errors,
+        receive_errors: chip.receive_errors,
+        sent: chip.sent,
+        lost: chip.overruns.saturating_add(can.queue_overflows),
+    }
+}
+
 /// How the firmware is.
 pub fn health(can: Status, counters: Counters, boot: &Boot, measured: Measured, now_ms: u64) -> Record {
     let chip = can.controller.unwrap_or_default();
@@ -48,16 +70,11 @@ pub fn health(can: Status, counters: Counters, boot: &Boot, measured: Measured, 
         uptime_ms: now_ms,
         frames_received: chip.received,
         frames_dropped_short: counters.too_short,
+        frames_damaged: counters.damaged,
         frames_unknown: counters.unknown,
         overruns: chip.overruns,
         ring_overflows: can.queue_overflows,
-        can_state: match (can.controller.is_some(), chip.state) {
-            (false, _) => CanState::Offline,
-            (true, BusState::Active) => CanState::ErrorActive,
-            (true, BusState::Warning) => CanState::Warning,
-            (true, BusState::Passive) => CanState::ErrorPassive,
-            (true, BusState::BusOff) => CanState::BusOff,
-        },
+        can_state: can.controller.map_or(CanState::Offline, |chip| state(chip.state)),
         tec: chip.transmit_errors,
         rec: chip.receive_errors,
         frames_sent: chip.sent,
@@ -95,6 +112,11 @@ pub fn screen(view: &View, now_ms: u64) -> Record {
         motor_celsius: sample(view.motor_celsius),
         inverter_celsius: sample(view.inverter_celsius),
         odometer_hectometres: view.odometer_hectometres,
+        page: view.page.number(),
+        hv_off_s: view.hv_off_s,
+        limps: view.limp.is_some(),
+        limp_deciamps: view.limp.and_then(|limp| limp.limit_deciamps),
+        plug: view.charging.map(|charging| charging.plug as u8),
         telltales: view.telltales.bits(),
         line: view.line.map(|line| ScreenLine {
             text: text_id(line.text.en),
@@ -104,6 +126,58 @@ pub fn screen(view: &View, now_ms: u64) -> Record {
             count: line.count,
         }),
     })
+}
+
+/// Trips, consumption and range.
+pub fn trips(view: &View) -> Record {
+    let trips = view.journeys.map(|journey| Trip {
+        hectometres: journey.hectometres,
+        average_whkm: journey.average_whkm,
+        used_watthours: journey.used_watthours,
+        regained_watthours: journey.regained_watthours,
+    });
+    Record::Trips(Trips {
+        trips,
+        consumption_whkm: sample(view.consumption_whkm),
+        range_km: sample(view.range.map(|range| range.km)),
+        range_is_estimated: view.range.value().is_some_and(|range| range.is_estimated),
+    })
+}
+
+/// The active fault at `place`, and when it came; `None` = there are fewer.
+pub fn active(cluster: &Cluster, place: usize, now: Millis) -> Option<(Record, Millis)> {
+    let fault = cluster.active_faults(now).nth(place)?;
+    let count = cluster.active_faults(now).count() as u8;
+    let record = Fault {
+        place: place as u8,
+        source: fault.source.number(),
+        code: fault.code,
+        severity: fault.severity as u8,
+        text: text_id(fault.text.en),
+        first_ms: fault.first.0,
+        times: fault.count,
+    };
+    Some((Record::Active { count, fault: Some(record) }, fault.first))
+}
+
+/// Nothing is active.
+pub const ALL_CLEAR: Record = Record::Active { count: 0, fault: None };
+
+/// The remembered fault at `place`, and when it came last; `None` = there are fewer.
+pub fn remembered(cluster: &Cluster, place: usize) -> Option<(Record, Millis)> {
+    let entry = cluster.history().nth(place)?;
+    let (text, _) = cluster.remembered(entry);
+    let fault = Fault {
+        place: place as u8,
+        source: entry.source.number(),
+        code: entry.code,
+        severity: entry.severity as u8,
+        text: text_id(text.en),
+        first_ms: entry.first.0,
+        times: entry.count,
+    };
+    let count = cluster.history().count() as u8;
+    Some((Record::Remembered { count, fault, last_ms: entry.last.0 }, entry.last))
 }
 
 fn sample(shown: Shown<impl Into<i32>>) -> Sample {

@@ -335,7 +335,7 @@ pub(crate) static LABELS: [Label; 15] = [
     label(314, 177, Align::Right, words::KM),
 ];
 
-/// What is painted.
+/// What is painted, beside the cells of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Widget {
     Band,
@@ -349,6 +349,13 @@ pub(crate) enum Widget {
     Power,
     Heartbeat,
     Dial,
+}
+
+impl Widget {
+    /// Returns whether every page has it; the rest is the main page's.
+    pub(crate) const fn is_on_every_page(self) -> bool {
+        matches!(self, Self::Band | Self::Stripe | Self::Lamp(_) | Self::Heartbeat)
+    }
 }
 
 const fn place(widget: Widget) -> Area {
@@ -419,6 +426,7 @@ mod tests {
             let mut places: std::vec::Vec<_> =
                 WIDGETS.iter().map(|&(widget, place)| (Some(widget), place)).collect();
             places.extend(LABELS.iter().map(|label| (None, label_area(label, language))));
+            places.extend(crate::sheet::Kind::Main.slots().iter().map(|slot| (None, slot.area)));
             for (index, (widget, place)) in places.iter().enumerate() {
                 assert!(
                     place.right() <= crate::WIDTH && place.bottom() <= crate::HEIGHT,

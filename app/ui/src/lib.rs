@@ -24,12 +24,14 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+mod cell;
 mod fonts;
 mod layout;
 mod picture;
 mod regions;
 mod row;
 mod screen;
+mod sheet;
 mod theme;
 mod tile;
 mod words;

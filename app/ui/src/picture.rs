@@ -5,17 +5,19 @@
 //! valid = a cross and dashes; none of them looks like zero, and a dial or bar without a value has no pointer.
 
 use crate::{
+    cell::Cell,
     fonts::{self, CLOCK, CROSS, DASH, DialPixel, Font},
     layout::{self, Align, Area, FIELD_CELLS, FIELDS, Field, Label, Widget},
     row::Row,
+    sheet::{self, Kind, MOST_CELLS},
     theme::{Ink, Palette, Ramp, mix},
     words,
 };
 use cluster::{
     Lamp, Telltale, Telltales, View,
-    view::{Language, Line, Text, Theme},
+    view::{Language, Limp, Line, Text, Theme},
 };
-use protocol_core::model::{Gear, Severity, Shown};
+use protocol_core::model::{Severity, Shown};
 
 /// Returns the text in a language.
 pub(crate) const fn said(text: Text, language: Language) -> &'static str {
@@ -93,6 +95,10 @@ impl<const CELLS: usize> Figures<CELLS> {
 const TEXT_GLYPHS: usize = 40;
 /// Most glyphs of the message's code and number.
 const TAIL_GLYPHS: usize = 16;
+/// Most glyphs of the chip in the message line.
+const CHIP_GLYPHS: usize = 8;
+/// Space to the left and to the right of the chip's text, pixels.
+const CHIP_MARGIN: u16 = 7;
 /// Space between the message's text and its code, pixels.
 const TAIL_GAP: u16 = 10;
 
@@ -156,30 +162,60 @@ pub(crate) struct Message {
     severity: Severity,
     text: Glyphs<TEXT_GLYPHS>,
     tail: Glyphs<TAIL_GLYPHS>,
+    /// What stands at the line's end whichever line has its turn.
+    chip: Glyphs<CHIP_GLYPHS>,
 }
 
 impl Message {
-    fn of(line: &Line, language: Language) -> Self {
+    fn of(line: &Line, chip: Glyphs<CHIP_GLYPHS>, language: Language) -> Self {
         let font = &fonts::MESSAGE;
-        let mut tail = Glyphs::EMPTY;
-        if let Some(code) = line.code {
-            tail.push_number(font, code);
+        let mut code = Glyphs::EMPTY;
+        if let Some(number) = line.code {
+            code.push_number(font, number);
         }
+        let mut tail = code;
         if line.count > 1 {
             tail.push_text(font, if line.code.is_some() { "   " } else { "" }, u16::MAX);
             tail.push_number(font, u16::from(line.position));
             tail.push(font, '/', u16::MAX);
             tail.push_number(font, u16::from(line.count));
         }
+        let words = said(line.text, language);
+        let room = |tail: &Glyphs<TAIL_GLYPHS>| {
+            let gap = if tail.length == 0 { 0 } else { TAIL_GAP };
+            band_right(chip.width) - layout::BAND_LEFT - tail.width - gap
+        };
+        // Whole words are worth more than whose turn it is.
+        if (room(&tail) + 1..=room(&code)).contains(&font.width(words)) {
+            tail = code;
+        }
         let mut text = Glyphs::EMPTY;
-        let gap = if tail.length == 0 { 0 } else { TAIL_GAP };
-        text.push_text(
-            font,
-            said(line.text, language),
-            layout::BAND_RIGHT - layout::BAND_LEFT - tail.width - gap,
-        );
-        Self { severity: line.severity, text, tail }
+        text.push_text(font, words, room(&tail));
+        Self { severity: line.severity, text, tail, chip }
     }
+}
+
+/// Returns the chip of the message line: seconds until the battery opens the high-voltage circuit (BUS-68), or the
+/// largest current in limp mode (BUS-R081).
+fn chip(view: &View) -> Glyphs<CHIP_GLYPHS> {
+    let font = &fonts::MESSAGE;
+    let mut chip = Glyphs::EMPTY;
+    let (start, number, unit) = match (view.hv_off_s, view.limp) {
+        (Some(seconds), _) => ("HV ", u16::from(seconds), " s"),
+        (None, Some(Limp { limit_deciamps: Some(limit) })) => {
+            ("≤", u16::try_from(limit / 10).unwrap_or(u16::MAX), " A")
+        }
+        _ => return chip,
+    };
+    chip.push_text(font, start, u16::MAX);
+    chip.push_number(font, number);
+    chip.push_text(font, unit, u16::MAX);
+    chip
+}
+
+/// Returns the column behind the message's code and number, beside a chip with a text of this width.
+const fn band_right(chip: u16) -> u16 {
+    if chip == 0 { layout::BAND_RIGHT } else { layout::BAND_RIGHT - chip - 2 * CHIP_MARGIN }
 }
 
 /// Returns the pixels that a text takes in the message line, and the pixels that are there beside `code` and a number
@@ -188,7 +224,7 @@ impl Message {
 /// Vehicles' tests hold their texts against this.
 pub fn message_room(text: &str, code: Option<u16>) -> (u16, u16) {
     let line = Line { severity: Severity::Stop, text: Text::default(), code, position: 1, count: 9 };
-    let tail = Message::of(&line, Language::Chinese).tail.width;
+    let tail = Message::of(&line, Glyphs::EMPTY, Language::Chinese).tail.width;
     (fonts::MESSAGE.width(text), layout::BAND_RIGHT - layout::BAND_LEFT - tail - TAIL_GAP)
 }
 
@@ -249,6 +285,8 @@ pub(crate) struct Picture {
     pub(crate) power: Option<i16>,
     pub(crate) heartbeat: bool,
     pub(crate) rings: [Angle; 2],
+    pub(crate) kind: Kind,
+    pub(crate) cells: [Cell; MOST_CELLS],
 }
 
 impl Picture {
@@ -266,10 +304,29 @@ impl Picture {
         power: None,
         heartbeat: false,
         rings: [None; 2],
+        kind: Kind::Main,
+        cells: [Cell::BLANK; MOST_CELLS],
     };
 
     /// Works out what is painted for a view.
     pub(crate) fn of(view: &View) -> Self {
+        let every = Self {
+            theme: view.theme,
+            language: view.language,
+            message: view.line.as_ref().map(|line| Message::of(line, chip(view), view.language)),
+            severity: view.severity,
+            lamps: view.telltales,
+            heartbeat: view.heartbeat,
+            kind: Kind::of(&view.page),
+            cells: sheet::cells(view),
+            ..Self::EMPTY
+        };
+        // What a page does not show must not be sent when it changes.
+        if every.kind == Kind::Main { every.with_dial(view) } else { every }
+    }
+
+    /// Adds what only the main page has.
+    fn with_dial(self, view: &View) -> Self {
         let bar = u32::from(layout::CHARGE_BAR.width);
         let mut fields = [Figures::EMPTY; FIELDS.len()];
         for (figures, field) in fields.iter_mut().zip(&FIELDS) {
@@ -277,28 +334,16 @@ impl Picture {
                 Figures::of((field.number)(view), usize::from(field.cells), usize::from(field.decimals));
         }
         Self {
-            theme: view.theme,
-            language: view.language,
-            message: view.line.as_ref().map(|line| Message::of(line, view.language)),
-            severity: view.severity,
-            lamps: view.telltales,
-            gear: match view.gear {
-                None => BLANK,
-                Some(Gear::D) => b'D',
-                Some(Gear::R) => b'R',
-                Some(Gear::N) => b'N',
-                Some(Gear::P) => b'P',
-                Some(Gear::Forward(gear)) => b'0' + gear.min(9),
-            },
+            gear: view.gear.map_or(BLANK, sheet::letter),
             speed: Figures::of(view.speed_kmh.map(i32::from), 3, 0),
             fields,
             charge: view.soc_percent.value().map(|percent| (u32::from(percent.min(100)) * bar / 100) as u16),
             power: view.power_hectowatts.value().map(power_reach),
-            heartbeat: view.heartbeat,
             rings: [
                 angle(view.speed_kmh.value().map(u32::from), layout::DIAL_KMH),
                 angle(view.motor_rpm.value().map(i32::unsigned_abs), layout::DIAL_RPM),
             ],
+            ..self
         }
     }
 
@@ -386,14 +431,28 @@ impl Picture {
         paint_text(row, font, said(text, self.language), x, top, align, ramp);
     }
 
+    /// Paints a cell's part of a row that is ground so far.
+    pub(crate) fn paint_cell(&self, place: usize, row: &mut Row) {
+        if let (Some(slot), Some(cell)) = (self.kind.slots().get(place), self.cells.get(place)) {
+            slot.paint(cell, row, Palette::of(self.theme));
+        }
+    }
+
     fn paint_band(&self, row: &mut Row, palette: &Palette) {
         let Some(message) = &self.message else { return };
         let place = message.severity as usize;
         let ramp = palette.ramp([Ink::OnInformation, Ink::OnWarn, Ink::OnDerate, Ink::OnStop][place]);
         row.fill(layout::BAND.x, layout::BAND.width, palette.bands[place]);
         message.text.paint(row, &fonts::MESSAGE, layout::BAND_LEFT, layout::BAND_TEXT_TOP, ramp);
-        let tail = layout::BAND_RIGHT - message.tail.width;
+        let tail = band_right(message.chip.width) - message.tail.width;
         message.tail.paint(row, &fonts::MESSAGE, tail, layout::BAND_TEXT_TOP, ramp);
+        if message.chip.width != 0 {
+            let left = layout::BAND.right() - message.chip.width - 2 * CHIP_MARGIN;
+            row.fill(left, layout::BAND.right() - left, ramp[15]);
+            let ramp =
+                palette.ramp([Ink::ChipInformation, Ink::ChipWarn, Ink::ChipDerate, Ink::ChipStop][place]);
+            message.chip.paint(row, &fonts::MESSAGE, left + CHIP_MARGIN, layout::BAND_TEXT_TOP, ramp);
+        }
     }
 
     fn paint_lamp(&self, lamp: Telltale, row: &mut Row, palette: &Palette) {
@@ -654,10 +713,44 @@ mod tests {
             position: 12,
             count: 12,
         };
-        let message = Message::of(&line, Language::English);
+        let message = Message::of(&line, Glyphs::EMPTY, Language::English);
         let last = message.text.places[usize::from(message.text.length) - 1];
         assert_eq!(Some(last), fonts::MESSAGE.find('…'));
         let room = layout::BAND_RIGHT - layout::BAND_LEFT;
         assert!(message.text.width + TAIL_GAP + message.tail.width <= room);
+    }
+
+    #[test]
+    fn what_the_chip_belongs_to_is_whole_beside_it() {
+        let counting = View { hv_off_s: Some(35), ..View::default() };
+        let limping = View { limp: Some(Limp { limit_deciamps: Some(600) }), ..View::default() };
+        let lines = [
+            (counting, cluster::texts::HV_OFF_ASKED),
+            (counting, cluster::texts::HV_OFF_OVERDUE),
+            (limping, cluster::texts::LIMP),
+        ];
+        for (view, text) in lines {
+            for language in [Language::Chinese, Language::English] {
+                let line = Line { severity: Severity::Stop, text, code: None, position: 3, count: 12 };
+                let message = Message::of(&line, chip(&view), language);
+                assert!(message.chip.width > 0);
+                let length = said(text, language).chars().count();
+                assert_eq!(usize::from(message.text.length), length, "{text:?} is cut");
+            }
+        }
+    }
+
+    #[test]
+    fn the_chip_counts_seconds_before_it_names_a_limit() {
+        let limp = Some(Limp { limit_deciamps: Some(547) });
+        let glyphs = |text: &str| {
+            let mut glyphs = Glyphs::EMPTY;
+            glyphs.push_text(&fonts::MESSAGE, text, u16::MAX);
+            glyphs
+        };
+        assert_eq!(chip(&View { limp, ..View::default() }), glyphs("≤54 A"));
+        assert_eq!(chip(&View { limp, hv_off_s: Some(9), ..View::default() }), glyphs("HV 9 s"));
+        let unknown = Some(Limp { limit_deciamps: None });
+        assert_eq!(chip(&View { limp: unknown, ..View::default() }).length, 0);
     }
 }

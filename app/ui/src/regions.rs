@@ -6,6 +6,7 @@ use crate::{
     fonts,
     layout::{self, Area, FIELD_CELLS, FIELDS},
     picture::{Picture, turned},
+    sheet::{Kind, MOST_CELLS},
 };
 use cluster::Telltale;
 
@@ -15,7 +16,8 @@ const GEAR: usize = LIMITED + 1;
 const SPEED: usize = GEAR + 1;
 const SPEED_PARTS: usize = 6;
 const CELLS: usize = SPEED + SPEED_PARTS;
-const CHARGE: usize = CELLS + FIELDS.len() * FIELD_CELLS;
+const SLOTS: usize = CELLS + FIELDS.len() * FIELD_CELLS;
+const CHARGE: usize = SLOTS + MOST_CELLS;
 const CHARGE_PARTS: usize = layout::CHARGE_BAR.width.div_ceil(layout::BAR_PART) as usize;
 const POWER: usize = CHARGE + CHARGE_PARTS;
 const POWER_PARTS: usize = layout::POWER_BAR.width.div_ceil(layout::BAR_PART) as usize;
@@ -59,13 +61,13 @@ impl Regions {
 
     /// Takes the next place to send out of the set: one part, and its followers as long as one window around them all
     /// is no larger than their own windows together.
-    pub(crate) fn take(&mut self) -> Option<Area> {
+    pub(crate) fn take(&mut self, kind: Kind) -> Option<Area> {
         let word = self.marks.iter().position(|&word| word != 0)?;
         let mut part = word * 32 + self.marks[word].trailing_zeros() as usize;
         self.clear(part);
-        let mut place = area(part);
+        let mut place = area(part, kind);
         while self.is_marked(part + 1) {
-            let (next, together) = (area(part + 1), place.around(area(part + 1)));
+            let (next, together) = (area(part + 1, kind), place.around(area(part + 1, kind)));
             if together.pixels() > place.pixels() + next.pixels() {
                 break;
             }
@@ -76,8 +78,32 @@ impl Regions {
         Some(place)
     }
 
-    /// Marks what looks different in `new`; theme and language are the same in both.
+    /// Takes the message line or a lamp out of the set, if one is in it.
+    pub(crate) fn take_urgent(&mut self, kind: Kind) -> Option<Area> {
+        (BAND..LIMITED).any(|part| self.is_marked(part)).then(|| self.take(kind)).flatten()
+    }
+
+    /// Forgets everything between the rows of lamps: it is sent as a whole.
+    pub(crate) fn forget_page(&mut self) {
+        (LIMITED..PARTS).for_each(|part| self.clear(part));
+    }
+
+    /// Marks what looks different in `new`; theme, language and kind of page are the same in both.
     pub(crate) fn mark_changes(&mut self, old: &Picture, new: &Picture) {
+        self.mark_frame(old, new);
+        for (slot, _) in old.cells.iter().zip(&new.cells).enumerate().filter(|(_, (old, new))| old != new) {
+            self.mark(SLOTS + slot);
+        }
+        if new.kind == Kind::Main {
+            self.mark_dial(old, new);
+        }
+        if old.heartbeat != new.heartbeat {
+            self.mark(HEARTBEAT);
+        }
+    }
+
+    /// Marks what looks different around the page.
+    pub(crate) fn mark_frame(&mut self, old: &Picture, new: &Picture) {
         if old.message != new.message {
             self.mark(BAND);
         }
@@ -88,6 +114,11 @@ impl Regions {
         for place in (0..Telltale::ALL.len()).filter(|place| switched >> place & 1 != 0) {
             self.mark(LAMPS + place);
         }
+    }
+
+    /// Marks what looks different on the main page.
+    fn mark_dial(&mut self, old: &Picture, new: &Picture) {
+        let switched = old.lamps.bits() ^ new.lamps.bits();
         if switched >> Telltale::PowerLimited as u8 & 1 != 0 {
             self.mark(LIMITED);
         }
@@ -107,9 +138,6 @@ impl Regions {
             }
         }
         self.mark_bars(old, new, switched >> Telltale::LowCharge as u8 & 1 != 0);
-        if old.heartbeat != new.heartbeat {
-            self.mark(HEARTBEAT);
-        }
         for ring in 0..2 {
             if let Some((first, last)) = turned(old.rings[ring], new.rings[ring]) {
                 for part in first / PART_STEPS..=last / PART_STEPS {
@@ -169,8 +197,8 @@ fn bar_part(bar: Area, part: usize) -> Area {
     Area::new(x, bar.y, layout::BAR_PART.min(bar.right() - x), bar.height)
 }
 
-/// Returns the place of a part.
-fn area(part: usize) -> Area {
+/// Returns the place of a part on a page of this kind.
+fn area(part: usize, kind: Kind) -> Area {
     match part {
         BAND => layout::BAND,
         STRIPE => layout::STRIPE,
@@ -181,7 +209,8 @@ fn area(part: usize) -> Area {
             let x = layout::SPEED.x + (part - SPEED) as u16 * layout::SPEED_HALF;
             Area::new(x, layout::SPEED.y, layout::SPEED_HALF, layout::SPEED.height)
         }
-        CELLS..CHARGE => {
+        SLOTS..CHARGE => kind.slots().get(part - SLOTS).map_or(Area::new(0, 0, 0, 0), |slot| slot.area),
+        CELLS..SLOTS => {
             let (field, place) = ((part - CELLS) / FIELD_CELLS, (part - CELLS) % FIELD_CELLS);
             let field = &FIELDS[field];
             field.cell(u16::from(field.cells) - 1 - place as u16)

@@ -9,6 +9,7 @@ use crate::{
     picture::{Picture, label_area},
     regions::Regions,
     row::{Row, fill},
+    sheet::{Kind, MOST_CELLS},
     theme::Palette,
     tile::rectangle,
 };
@@ -23,9 +24,12 @@ use embedded_graphics_core::{
 const SWEEP: [Area; 4] = [
     Area::new(0, 213, WIDTH, 27),
     Area::new(0, 0, WIDTH, 26),
-    Area::new(0, 187, WIDTH, 26),
-    Area::new(0, 26, WIDTH, 161),
+    Area::new(0, 189, WIDTH, 24),
+    Area::new(0, 26, WIDTH, 163),
 ];
+
+/// Place in [`SWEEP`] of what changes with the page.
+const PAGE: u8 = 3;
 
 /// The picture on the panel and the parts of it that have to be sent.
 ///
@@ -67,7 +71,14 @@ impl Screen {
     pub fn update(&mut self, view: &View) {
         let picture = Picture::of(view);
         if self.is_set && (picture.theme, picture.language) == (self.picture.theme, self.picture.language) {
-            self.regions.mark_changes(&self.picture, &picture);
+            if picture.kind == self.picture.kind {
+                self.regions.mark_changes(&self.picture, &picture);
+            } else {
+                // Another page: everything between the lamps.
+                self.regions.forget_page();
+                self.regions.mark_frame(&self.picture, &picture);
+                self.sweep = self.sweep.min(PAGE);
+            }
         } else {
             for (place, label) in self.labels.iter_mut().zip(&LABELS) {
                 *place = label_area(label, picture.language);
@@ -107,10 +118,15 @@ impl Screen {
 
     fn next_area(&mut self) -> Option<Area> {
         if let Some(&area) = SWEEP.get(usize::from(self.sweep)) {
+            if self.sweep == PAGE
+                && let Some(urgent) = self.regions.take_urgent(self.picture.kind)
+            {
+                return Some(urgent);
+            }
             self.sweep += 1;
             return Some(area);
         }
-        self.regions.take()
+        self.regions.take(self.picture.kind)
     }
 
     /// Paints exactly the pixels of `tile`, each once, row by row.
@@ -150,6 +166,15 @@ impl Screen {
         Some(pixels)
     }
 
+    /// Returns where something is that [`Self::met`] has found.
+    fn place(&self, index: usize) -> Area {
+        match index {
+            ..FIRST_LABEL => WIDGETS[index].1,
+            FIRST_LABEL..FIRST_SLOT => self.labels[index - FIRST_LABEL],
+            FIRST_SLOT.. => self.picture.kind.slots()[index - FIRST_SLOT].area,
+        }
+    }
+
     /// Finds what meets an area.
     fn met(&self, area: Area) -> Met {
         let mut met = Met { places: [0; MOST_MET], count: 0 };
@@ -159,8 +184,17 @@ impl Screen {
                 met.count += 1;
             }
         };
-        WIDGETS.iter().enumerate().for_each(|(index, (_, place))| note(index, place));
-        self.labels.iter().enumerate().for_each(|(index, place)| note(WIDGETS.len() + index, place));
+        let is_main = self.picture.kind == Kind::Main;
+        for (index, (widget, place)) in WIDGETS.iter().enumerate() {
+            if is_main || widget.is_on_every_page() {
+                note(index, place);
+            }
+        }
+        if is_main {
+            self.labels.iter().enumerate().for_each(|(index, place)| note(FIRST_LABEL + index, place));
+        }
+        let slots = self.picture.kind.slots().iter().enumerate();
+        slots.for_each(|(index, slot)| note(FIRST_SLOT + index, &slot.area));
         met
     }
 
@@ -168,8 +202,7 @@ impl Screen {
         fill(pixels, Palette::of(self.picture.theme).ground);
         for &index in &met.places[..met.count] {
             let index = usize::from(index);
-            let widget = WIDGETS.get(index);
-            let place = widget.map_or_else(|| self.labels[index - WIDGETS.len()], |widget| widget.1);
+            let place = self.place(index);
             if y < place.y || y >= place.bottom() {
                 continue;
             }
@@ -177,17 +210,20 @@ impl Screen {
             let (left, right) = (place.x.max(area.x), place.right().min(area.right()));
             let columns = usize::from(left - area.x)..usize::from(right - area.x);
             let mut row = Row { y, left, pixels: &mut pixels[columns] };
-            match widget {
-                Some(&(widget, _)) => self.picture.paint(widget, &mut row),
-                None => self.picture.paint_label(&LABELS[index - WIDGETS.len()], &mut row),
+            match index {
+                ..FIRST_LABEL => self.picture.paint(WIDGETS[index].0, &mut row),
+                FIRST_LABEL..FIRST_SLOT => self.picture.paint_label(&LABELS[index - FIRST_LABEL], &mut row),
+                FIRST_SLOT.. => self.picture.paint_cell(index - FIRST_SLOT, &mut row),
             }
         }
     }
 }
 
-const MOST_MET: usize = WIDGETS.len() + LABELS.len();
+const FIRST_LABEL: usize = WIDGETS.len();
+const FIRST_SLOT: usize = FIRST_LABEL + LABELS.len();
+const MOST_MET: usize = FIRST_SLOT + MOST_CELLS;
 
-/// The widgets and labels that meet a tile: places in [`WIDGETS`], then in [`LABELS`].
+/// What meets a tile: places in [`WIDGETS`], then in [`LABELS`], then among the cells of the page.
 struct Met {
     places: [u8; MOST_MET],
     count: usize,

@@ -38,9 +38,17 @@ pub(crate) enum Ink {
     OnDerate,
     /// On the line of a stop.
     OnStop,
+    /// On the chip in the information line.
+    ChipInformation,
+    /// On the chip in the line of a warning.
+    ChipWarn,
+    /// On the chip in the line of a power limit.
+    ChipDerate,
+    /// On the chip in the line of a stop.
+    ChipStop,
 }
 
-const INKS: usize = Ink::OnStop as usize + 1;
+const INKS: usize = Ink::ChipStop as usize + 1;
 
 /// Steps of the colour along a ring of the dial.
 const SHADES: usize = 32;
@@ -157,6 +165,11 @@ const fn palette(colours: &Colours) -> Palette {
             ramp(bands[1].0, bands[1].1),
             ramp(bands[2].0, bands[2].1),
             ramp(bands[3].0, bands[3].1),
+            // A chip is the line the other way round.
+            ramp(bands[0].1, bands[0].0),
+            ramp(bands[1].1, bands[1].0),
+            ramp(bands[2].1, bands[2].0),
+            ramp(bands[3].1, bands[3].0),
         ],
     }
 }

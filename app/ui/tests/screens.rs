@@ -4,8 +4,11 @@
 
 mod common;
 
-use cluster::{Telltale, Telltales, View};
-use common::{Panel, day, english, lamps, line, missing};
+use cluster::{
+    Page, Telltale, Telltales, Trip, View, texts,
+    view::{Journey, Limp, Line, List, Plug, Sheet},
+};
+use common::{Panel, day, english, lamps, line, list, missing, on, plugged, sheets, travelled};
 use protocol_core::model::{Gear, Severity, Shown};
 use std::{fs, path::Path};
 use ui::{HEIGHT, WIDTH};
@@ -119,6 +122,37 @@ fn fast_view() -> View {
     }
 }
 
+fn hv_off_view() -> View {
+    View {
+        telltales: lamps(&[Telltale::BatteryFault, Telltale::SystemFault, Telltale::Ready]),
+        severity: Severity::Stop,
+        line: Some(Line {
+            severity: Severity::Stop,
+            text: texts::HV_OFF_OVERDUE,
+            code: None,
+            position: 1,
+            count: 3,
+        }),
+        hv_off_s: Some(28),
+        ..travelled()
+    }
+}
+
+fn limp_view() -> View {
+    View {
+        speed_kmh: Shown::Value(23),
+        telltales: lamps(&[Telltale::Ready, Telltale::PowerLimited, Telltale::NoCommunication]),
+        severity: Severity::Derate,
+        line: Some(Line { severity: Severity::Derate, text: texts::LIMP, code: None, position: 1, count: 2 }),
+        limp: Some(Limp { limit_deciamps: Some(540) }),
+        ..missing::<true>(travelled())
+    }
+}
+
+fn technic_view(place: usize) -> View {
+    on(Page::Technic(sheets()[place]), common::driving())
+}
+
 screens! {
     bulb_check: bulb_check_view();
     never_seen: View::default();
@@ -212,7 +246,7 @@ screens! {
         motor_celsius: Shown::Value(31),
         inverter_celsius: Shown::Value(29),
         telltales: lamps(&[Telltale::ChargePlug, Telltale::Charging, Telltale::ParkingBrake]),
-        line: Some(cluster::view::Line { code: None, ..line(Severity::None, "正在充电", "Charging", 0, 1, 1) }),
+        line: Some(Line { code: None, ..line(Severity::None, "正在充电", "Charging", 0, 1, 1) }),
         ..common::driving()
     };
     charging_day: day(View {
@@ -221,7 +255,7 @@ screens! {
         power_hectowatts: Shown::Value(-647),
         pack_deciamps: Shown::Value(-1204),
         telltales: lamps(&[Telltale::ChargePlug, Telltale::Charging, Telltale::ParkingBrake]),
-        line: Some(cluster::view::Line { code: None, ..line(Severity::None, "正在充电", "Charging", 0, 1, 1) }),
+        line: Some(Line { code: None, ..line(Severity::None, "正在充电", "Charging", 0, 1, 1) }),
         ..common::driving()
     });
     bulb_check_day: day(bulb_check_view());
@@ -231,4 +265,55 @@ screens! {
         line: Some(line(Severity::Warn, "", "A text that is far too long for the line of this screen", 65_535, 12, 12)),
         ..common::driving()
     });
+    /// The range stands under the charge.
+    range: travelled();
+    hv_off: hv_off_view();
+    hv_off_en: english(hv_off_view());
+    hv_off_day: day(hv_off_view());
+    limp: limp_view();
+    limp_en: english(limp_view());
+    trip_a: on(Page::Trip(Trip::A), travelled());
+    trip_b_en: english(on(Page::Trip(Trip::B), travelled()));
+    trip_day: day(on(Page::Trip(Trip::A), travelled()));
+    /// A trip that has just been set to zero has no average.
+    trip_reset_en: english(on(
+        Page::Trip(Trip::A),
+        View { journeys: [Journey::default(); 2], range: Shown::Stale, ..travelled() },
+    ));
+    energy: on(Page::Energy, travelled());
+    energy_en: english(on(Page::Energy, travelled()));
+    energy_missing: on(Page::Energy, View { range: Shown::Stale, consumption_whkm: Shown::Stale, ..missing::<true>(travelled()) });
+    plugged_en: english(plugged(Plug::Inserted));
+    plug_charging: plugged(Plug::Charging);
+    plug_charging_en: english(plugged(Plug::Charging));
+    plug_charging_day: day(plugged(Plug::Charging));
+    plug_complete: View { soc_percent: Shown::Value(100), ..plugged(Plug::Complete) };
+    plug_fault_en: english(View {
+        severity: Severity::Warn,
+        line: Some(Line { code: None, ..line(Severity::Warn, "充电机故障", "Charger fault", 0, 1, 1) }),
+        ..plugged(Plug::Fault)
+    });
+    faults: on(Page::Faults(list()), stop_view());
+    faults_en: english(on(Page::Faults(list()), stop_view()));
+    faults_day: day(on(Page::Faults(list()), stop_view()));
+    faults_none: on(Page::Faults(List { position: 1, count: 1, ..List::default() }), travelled());
+    history: on(Page::History(List { position: 2, ..list() }), travelled());
+    history_en: english(on(Page::History(List { position: 2, ..list() }), travelled()));
+    relays: technic_view(0);
+    relays_en: english(technic_view(0));
+    contactors: technic_view(1);
+    contactors_en: english(technic_view(1));
+    contactor_box: technic_view(2);
+    contactor_box_en: english(technic_view(2));
+    codes: technic_view(3);
+    codes_day_en: day(english(technic_view(3)));
+    extremes: technic_view(4);
+    extremes_en: english(technic_view(4));
+    bus_counters: technic_view(5);
+    bus_counters_en: english(technic_view(5));
+    /// A sender that is silent looks silent here too.
+    relays_stale: on(
+        Page::Technic(Sheet { cells: [Shown::Stale; cluster::page::CELLS], ..sheets()[0] }),
+        common::driving(),
+    );
 }

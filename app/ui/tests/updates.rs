@@ -3,10 +3,12 @@
 mod common;
 
 use cluster::{
-    Telltale, Telltales, View,
-    view::{Language, Theme},
+    Page, Telltale, Telltales, Trip, View,
+    view::{Charging, Journey, Language, Limp, List, Listed, Plug, Range, Sheet, Theme},
 };
-use common::{Panel, driving, english, lamps, line, missing, rectangle};
+use common::{
+    Panel, driving, english, lamps, line, list, missing, on, plugged, rectangle, sheets, travelled,
+};
 use embedded_graphics_core::primitives::PointsIter;
 use protocol_core::model::{Gear, Severity, Shown};
 use ui::{HEIGHT, Screen, TILE_PIXELS, WIDTH};
@@ -83,11 +85,70 @@ impl Random {
             1 + self.below(12) as u8,
         );
         maybe!(view.line, (new.code != Some(0)).then_some(new));
+        self.change_pages(chance, view);
         if self.one_in(20) {
             view.theme = if self.one_in(2) { Theme::Day } else { Theme::Night };
         }
         if self.one_in(20) {
             view.language = if self.one_in(2) { Language::English } else { Language::Chinese };
+        }
+    }
+}
+
+impl Random {
+    /// Turns the page or changes what stands on one.
+    fn change_pages(&mut self, chance: u32, view: &mut View) {
+        if self.one_in(chance * 4) {
+            view.page = match self.below(7) {
+                0 | 1 => Page::Main,
+                2 => Page::Trip(if self.one_in(2) { Trip::A } else { Trip::B }),
+                3 => Page::Energy,
+                4 => Page::Faults(list()),
+                5 => Page::History(List { position: 1, count: 1, ..List::default() }),
+                _ => Page::Technic(sheets()[self.below(6) as usize]),
+            };
+        }
+        match &mut view.page {
+            Page::Faults(list) | Page::History(list) => {
+                let row = self.below(4) as usize;
+                list.rows[row] = (!self.one_in(4)).then(|| Listed {
+                    code: (!self.one_in(3)).then(|| self.below(65_536) as u16),
+                    count: self.below(3) as u16,
+                    at_s: self.below(400_000),
+                    ..common::list().rows[self.below(4) as usize].expect("a full list")
+                });
+                // Rows stand without gaps.
+                list.rows.sort_by_key(Option::is_none);
+                list.count = 1 + self.below(9) as u8;
+            }
+            Page::Technic(Sheet { cells, .. }) => {
+                let cell = self.below(cells.len() as u32) as usize;
+                let high = [4, 5_000, i32::MAX - 1][self.below(3) as usize];
+                cells[cell] = self.shown(0, high, |v| v);
+            }
+            Page::Main | Page::Trip(_) | Page::Energy => {}
+        }
+        let journey = |random: &mut Self| Journey {
+            hectometres: random.below(2_000_000),
+            average_whkm: (!random.one_in(3)).then(|| random.below(4_000) as i32 - 900),
+            used_watthours: random.below(3_000_000),
+            regained_watthours: random.below(3_000_000),
+        };
+        if self.one_in(chance) {
+            view.journeys = [journey(self), journey(self)];
+            view.consumption_whkm = self.shown(-900, 4_000, |v| v);
+        }
+        if self.one_in(chance) {
+            let is_estimated = self.one_in(2);
+            view.range = self.shown(0, 999, |km| Range { km: km as u16, is_estimated });
+        }
+        if self.one_in(chance) {
+            let plugs = [Plug::Inserted, Plug::Charging, Plug::Complete, Plug::Fault];
+            let plug = plugs[self.below(4) as usize];
+            view.charging = (!self.one_in(3)).then(|| plugged(plug).charging).flatten();
+            view.hv_off_s = self.one_in(3).then(|| self.below(36) as u8);
+            let limit = self.below(601) as i32;
+            view.limp = self.one_in(3).then(|| Limp { limit_deciamps: (limit > 9).then_some(limit) });
         }
     }
 }
@@ -154,6 +215,78 @@ fn the_same_view_sends_nothing() {
     Panel::garbage().receive(&mut screen, TILE_PIXELS);
     screen.update(&driving());
     assert_eq!(screen.next_tile(TILE_PIXELS), None);
+}
+
+#[test]
+fn a_page_sends_nothing_of_what_it_does_not_show() {
+    for page in [Page::Trip(Trip::A), Page::Faults(list()), Page::Technic(sheets()[0])] {
+        let mut screen = Screen::new();
+        screen.update(&on(page, driving()));
+        Panel::garbage().receive(&mut screen, TILE_PIXELS);
+        let other = View {
+            motor_rpm: Shown::Value(9_000),
+            soc_percent: Shown::Value(3),
+            pack_deciamps: Shown::Value(1),
+            power_hectowatts: Shown::Value(1_000),
+            motor_celsius: Shown::Value(99),
+            odometer_hectometres: 1,
+            consumption_whkm: Shown::Value(999),
+            ..driving()
+        };
+        screen.update(&on(page, other));
+        assert_eq!(screen.next_tile(TILE_PIXELS), None, "{page:?}");
+    }
+}
+
+#[test]
+fn a_turned_page_sends_the_middle_of_the_screen_and_nothing_else() {
+    let mut screen = Screen::new();
+    screen.update(&travelled());
+    let mut panel = Panel::garbage();
+    panel.receive(&mut screen, TILE_PIXELS);
+    for page in [Page::Trip(Trip::A), Page::Faults(list()), Page::Technic(sheets()[4]), Page::Main] {
+        screen.update(&on(page, travelled()));
+        let tiles: Vec<_> = std::iter::from_fn(|| screen.next_tile(TILE_PIXELS)).collect();
+        let rows: u32 = tiles.iter().map(|tile| tile.size.height).sum();
+        assert_eq!((tiles[0].top_left.y, rows), (26, 163), "{page:?}");
+        assert!(tiles.iter().all(|tile| tile.size.width == u32::from(WIDTH)));
+    }
+}
+
+#[test]
+fn a_stop_that_turns_the_page_goes_out_before_the_page() {
+    let mut screen = Screen::new();
+    screen.update(&on(Page::Trip(Trip::A), driving()));
+    Panel::garbage().receive(&mut screen, TILE_PIXELS);
+    screen.update(&View {
+        telltales: lamps(&[Telltale::Insulation]),
+        severity: Severity::Stop,
+        line: Some(line(Severity::Stop, "绝缘故障", "Insulation fault", 11, 1, 1)),
+        ..driving()
+    });
+    let tiles: Vec<_> = std::iter::from_fn(|| screen.next_tile(TILE_PIXELS)).collect();
+    let page = tiles.iter().position(|tile| tile.top_left.y == 26).expect("the page");
+    let lamp = tiles.iter().position(|tile| (187..213).contains(&tile.top_left.y)).expect("the lamp");
+    let band = tiles.iter().position(|tile| tile.top_left.y >= 213).expect("the line");
+    assert!(band < lamp && lamp < page, "band {band}, lamp {lamp}, page {page}");
+}
+
+#[test]
+fn a_page_turned_twice_before_it_is_sent_is_whole_in_the_end() {
+    let (mut screen, mut panel) = (Screen::new(), Panel::garbage());
+    screen.update(&driving());
+    panel.receive(&mut screen, TILE_PIXELS);
+    let pages = [Page::Trip(Trip::A), Page::Faults(list()), Page::Energy, Page::Main];
+    for page in pages {
+        screen.update(&on(page, travelled()));
+        // The upper half only, then the next push comes.
+        for _ in 0..5 {
+            let area = screen.next_tile(TILE_PIXELS).expect("there is more");
+            panel.receive_tile(&screen, area);
+        }
+    }
+    panel.receive(&mut screen, TILE_PIXELS);
+    assert_eq!(panel.difference(&Panel::of(&travelled())), None);
 }
 
 #[test]
@@ -304,6 +437,14 @@ fn bus_r071_highest_and_lowest_cell_stand_on_the_main_screen() {
     }
 }
 
+fn countdown(seconds: u8) -> View {
+    View {
+        hv_off_s: Some(seconds),
+        line: Some(line(Severity::Stop, "断高压", "Battery asks for HV off", 1, 1, 1)),
+        ..driving()
+    }
+}
+
 /// Prints what a change costs on the bus, and holds it to a budget in pixels.
 #[test]
 fn small_changes_send_few_pixels() {
@@ -324,6 +465,34 @@ fn small_changes_send_few_pixels() {
             7_680,
         ),
         ("language", driving(), english(driving()), 76_800),
+        ("page", driving(), on(Page::Trip(Trip::A), driving()), 52_160),
+        (
+            "range -1 km",
+            travelled(),
+            View { range: Shown::Value(Range { km: 181, is_estimated: true }), ..travelled() },
+            992,
+        ),
+        (
+            "trip +0.1 km",
+            on(Page::Trip(Trip::A), driving()),
+            on(
+                Page::Trip(Trip::A),
+                View { journeys: [Journey { hectometres: 1, ..Journey::default() }; 2], ..driving() },
+            ),
+            3_600,
+        ),
+        (
+            "charge power",
+            plugged(Plug::Charging),
+            View {
+                charging: plugged(Plug::Charging)
+                    .charging
+                    .map(|charging| Charging { hectowatts: Shown::Value(650), ..charging }),
+                ..plugged(Plug::Charging)
+            },
+            3_600,
+        ),
+        ("countdown", countdown(28), countdown(27), 7_680),
     ];
     println!("{:<22}{:>8}{:>9}{:>12}", "change", "windows", "pixels", "ms at 62.5");
     for (name, from, to, budget) in rows {

@@ -31,6 +31,27 @@ pub const PANEL_SPI_HZ: u32 = match PANEL {
     Panel::Ili9341 => 31_250_000,
 };
 
+/// Full scale of the ADC: its reference is the 3.3 V supply (Pico datasheet 4.3).
+pub const ADC_MILLIVOLTS: u32 = 3_300;
+/// Largest number of the ADC.
+pub const ADC_MOST: u32 = 4_095;
+/// A pin that its own pull-up lifts to here has no divider: a fitted one keeps it below 3.2 V.
+pub(crate) const ADC_OPEN: u16 = 3_972;
+
+/// Divider of the supply, 100 k over 10 k.
+pub const SUPPLY_DIVIDER: (u32, u32) = (11, 1);
+/// Below this there is no supply to measure, in millivolts.
+pub const SUPPLY_LEAST_MV: u32 = 3_000;
+
+/// Divider of an air sensor, 10 k over 20 k.
+pub const AIR_DIVIDER: (u32, u32) = (3, 2);
+/// What an air sensor gives at nothing and at [`AIR_MOST_CENTIMPA`], in millivolts.
+pub const AIR_SPAN_MV: (u32, u32) = (500, 4_500);
+/// Full scale of an air sensor in 0.01 MPa.
+pub const AIR_MOST_CENTIMPA: u32 = 120;
+/// What a sensor that is there and whole gives, in millivolts.
+pub const AIR_WHOLE_MV: (u32, u32) = (250, 4_750);
+
 /// Bit rate of the PC link.
 pub const LINK_BAUD: u32 = 115_200;
 /// Bytes that wait to leave over the PC link: 89 ms at 115 200 baud.

@@ -10,6 +10,8 @@
 //! | back-light   | 13                                                          | PWM 6 B       |                |
 //! | buzzer       | 15                                                          | PWM 7 B       |                |
 //! | buttons      | 2, 3 (pull-up, to ground)                                   |               |                |
+//! | body         | 4, 5, 6, 7, 14, 21, 22 (pull-up, to ground)                 |               |                |
+//! | gauges       | 26 supply, 27 and 28 air                                    | ADC 0 to 2    |                |
 //! | PC link      | 0 TX, 1 RX, 115 200 baud                                    | UART0, DMA 1  | `DMA_IRQ_1`    |
 //! | LED          | 25                                                          |               |                |
 //!
@@ -25,6 +27,7 @@ compile_error!("no panel: build with --features ili9341 or --features st7789");
 pub mod can_port;
 pub mod clock;
 pub mod facts;
+pub mod gauges;
 pub mod link_port;
 pub mod panel_port;
 pub mod retained;
@@ -32,12 +35,13 @@ pub mod small_parts;
 
 pub use can_port::{CanInt, CanSpi};
 pub use clock::{Delay, now_us, stamp_us};
+pub use gauges::{Gauges, Measured};
 pub use link_port::LinkPort;
 pub use panel_port::PanelPort;
 pub use retained::{Boot, Reset};
 pub use rp2040_hal::Watchdog;
 pub use rp2040_hal::pac;
-pub use small_parts::{Backlight, Buttons, Buzzer, Led};
+pub use small_parts::{Backlight, Body, BodyWires, Buttons, Buzzer, Led};
 
 use embedded_hal::spi::{MODE_0, MODE_3};
 use facts::LINK_RING;
@@ -87,6 +91,10 @@ pub struct Board {
     pub buzzer: Buzzer,
     /// Buttons.
     pub buttons: Buttons,
+    /// Wires of the body.
+    pub body: BodyWires,
+    /// Analogue inputs.
+    pub gauges: Gauges,
     /// LED, dark.
     pub led: Led,
     /// PC link.
@@ -150,6 +158,9 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
         dma.ch0,
     );
 
+    let adc = hal::Adc::new(pac.ADC, &mut pac.RESETS);
+    let gauges = Gauges::new(adc, pins.gpio26, pins.gpio27, pins.gpio28);
+
     let mut backlight_slice = pwm.pwm6;
     let backlight_pin = pins.gpio13;
     let mut buzzer_slice = pwm.pwm7;
@@ -174,6 +185,16 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
         backlight: Backlight::new(backlight_slice),
         buzzer: Buzzer::new(buzzer_slice),
         buttons: Buttons { first: pins.gpio2.into_pull_up_input(), second: pins.gpio3.into_pull_up_input() },
+        body: BodyWires {
+            front_door: pins.gpio4.into_pull_up_input(),
+            rear_door: pins.gpio5.into_pull_up_input(),
+            seat_empty: pins.gpio6.into_pull_up_input(),
+            parking_brake: pins.gpio7.into_pull_up_input(),
+            smoke: pins.gpio14.into_pull_up_input(),
+            turn_left: pins.gpio21.into_pull_up_input(),
+            turn_right: pins.gpio22.into_pull_up_input(),
+        },
+        gauges,
         led: Led(pins.gpio25.into_push_pull_output_in_state(PinState::Low).into_pull_type()),
         link: LinkPort::new(uart, dma.ch1, &mut memory.link_ring),
         watchdog,

@@ -1,7 +1,7 @@
 //! Every 10 ms: frames in, the cluster's logic, frames and sounds out; feeds the watchdog.
 
 use heapless::Deque;
-use pico::{Buttons, Buzzer, Led, now_us};
+use pico::{Buzzer, Led, now_us};
 use protocol_core::{CanFrame, Millis};
 use rtic::Mutex;
 use rtic_monotonics::Timebase;
@@ -12,6 +12,7 @@ use crate::can_node::Care;
 use crate::conditions;
 use crate::queue::{FrameReader, Stamped};
 use crate::tasks::draw;
+use crate::telemetry;
 
 /// Period of the tick in milliseconds.
 const PERIOD_MS: u64 = 10;
@@ -57,11 +58,12 @@ pub async fn tick(mut cx: Context<'_>) {
     let mut ticks: u32 = 0;
     loop {
         let now = Millis(now_us() / 1_000);
+        let inputs = local.wires.sample();
         cx.shared.cluster.lock(|cluster| {
             receive(local.frames_out, |frame, at| {
                 local.recognition.hear(cluster, frame, at);
             });
-            cluster.tick(&inputs(local.buttons), now);
+            cluster.tick(&inputs, now);
             while let Some(frame) = cluster.transmit(now) {
                 // A full queue means that the bus takes nothing: the oldest is worth least.
                 if waiting.is_full() {
@@ -96,8 +98,9 @@ pub async fn tick(mut cx: Context<'_>) {
 
         if ticks.is_multiple_of(VIEW_TICKS) {
             let mut view = cx.shared.cluster.lock(|cluster| cluster.view(now));
-            let controller = cx.shared.can.lock(|can| can.status()).controller;
-            conditions::add(&mut view, controller.is_some(), local.recognition, cx.shared.boot, now);
+            let status = cx.shared.can.lock(|can| can.status());
+            local.wires.look(telemetry::controller(status));
+            conditions::add(&mut view, status.controller.is_some(), local.recognition, cx.shared.boot, now);
             show_life(local.led, view.heartbeat);
             local.views_in.write(view);
         }
@@ -116,15 +119,6 @@ fn receive(queue: &mut FrameReader, mut sink: impl FnMut(&CanFrame, Millis)) {
         let now = now_us();
         let age = (now as u32).wrapping_sub(at_us);
         sink(&frame, Millis((now - u64::from(age)) / 1_000));
-    }
-}
-
-fn inputs(buttons: &mut Buttons) -> cluster::Inputs {
-    let [next, menu] = buttons.held();
-    cluster::Inputs {
-        key: cluster::Key::On,
-        buttons: cluster::Buttons { next, menu },
-        ..cluster::Inputs::default()
     }
 }
 

@@ -39,7 +39,7 @@ struct Face {
     han: (&'static str, f32, i32),
 }
 
-const ASCII: &str = " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~°…Ω·–—±µ²³";
+const ASCII: &str = " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~°…Ω·–—±×µ²³";
 
 const NO_HAN: (&str, f32, i32) = ("", 0.0, 0);
 
@@ -69,7 +69,7 @@ const FACES: &[Face] = &[
         doc: "State of charge and power.",
         latin: "NotoSans-CondensedSemiBold.ttf",
         cap: 20,
-        characters: "0123456789-+.",
+        characters: "0123456789-+.:~",
         marks: true,
         chinese: Chinese::None,
         han: NO_HAN,
@@ -79,7 +79,7 @@ const FACES: &[Face] = &[
         doc: "Voltages, currents, temperatures.",
         latin: "NotoSans-CondensedMedium.ttf",
         cap: 12,
-        characters: "0123456789-+. ABCDEFGHIJKLMNOPQRSTUVWXYZ",
+        characters: "0123456789-+.~ ABCDEFGHIJKLMNOPQRSTUVWXYZ",
         marks: true,
         chinese: Chinese::None,
         han: NO_HAN,
@@ -110,7 +110,7 @@ const FACES: &[Face] = &[
         latin: "NotoSans-SemiCondensedSemiBold.ttf",
         cap: 12,
         characters: ASCII,
-        marks: false,
+        marks: true,
         chinese: Chinese::All,
         han: ("NotoSansCJK-Medium.ttc", 17.0, 1),
     },

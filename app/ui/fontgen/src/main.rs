@@ -22,7 +22,7 @@ const SYSTEM_FONTS: &str = "/usr/share/fonts";
 
 /// Returns whether a character needs a Chinese font.
 fn is_chinese(character: char) -> bool {
-    matches!(character, '\u{2e80}'..='\u{9fff}' | '\u{f900}'..='\u{faff}' | '\u{ff00}'..='\u{ffef}' | '℃')
+    matches!(character, '\u{2e80}'..='\u{9fff}' | '\u{f900}'..='\u{faff}' | '\u{ff00}'..='\u{ffef}' | '℃' | '≤')
 }
 
 /// Collects the Chinese characters of every file below `folder` whose name ends with `extension`.

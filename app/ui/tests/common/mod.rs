@@ -3,8 +3,9 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its part")]
 
 use cluster::{
-    Telltale, Telltales, View,
-    view::{Language, Line, Text, Theme},
+    Page, Telltale, Telltales, View,
+    page::Part,
+    view::{Charging, Journey, Language, Line, List, Listed, Plug, Range, Sheet, Text, Theme},
 };
 use embedded_graphics_core::{
     Pixel,
@@ -182,4 +183,120 @@ pub fn missing<const STALE: bool>(view: View) -> View {
         cell_celsius: (kind::<_, STALE>(), kind::<_, STALE>()),
         ..view
     }
+}
+
+/// The same on another page.
+pub fn on(page: Page, view: View) -> View {
+    View { page, ..view }
+}
+
+/// Two trips, consumption and an estimated range.
+pub fn travelled() -> View {
+    View {
+        journeys: [
+            Journey {
+                hectometres: 1_846,
+                average_whkm: Some(214),
+                used_watthours: 45_120,
+                regained_watthours: 5_610,
+            },
+            Journey {
+                hectometres: 12_873,
+                average_whkm: Some(1_038),
+                used_watthours: 1_402_000,
+                regained_watthours: 66_200,
+            },
+        ],
+        consumption_whkm: Shown::Value(189),
+        range: Shown::Value(Range { km: 182, is_estimated: true }),
+        ..driving()
+    }
+}
+
+/// Standing with a plug inserted.
+pub fn plugged(plug: Plug) -> View {
+    let flows = plug == Plug::Charging;
+    View {
+        page: Page::Energy,
+        speed_kmh: Shown::Value(0),
+        gear: Some(Gear::P),
+        soc_percent: Shown::Value(64),
+        motor_rpm: Shown::Value(0),
+        charging: Some(Charging {
+            plug,
+            decivolts: Shown::Value(5_398),
+            deciamps: Shown::Value(if flows { 1_204 } else { 0 }),
+            hectowatts: Shown::Value(if flows { 649 } else { 0 }),
+            minutes_left: flows.then_some(83),
+        }),
+        telltales: lamps(if flows {
+            &[Telltale::ChargePlug, Telltale::Charging, Telltale::ParkingBrake]
+        } else {
+            &[Telltale::ChargePlug, Telltale::ParkingBrake]
+        }),
+        ..travelled()
+    }
+}
+
+fn listed(
+    severity: Severity,
+    zh: &'static str,
+    en: &'static str,
+    code: u16,
+    at_s: u32,
+    count: u16,
+) -> Listed {
+    Listed { severity, text: Text { zh, en }, code: (code != 0).then_some(code), count, at_s }
+}
+
+/// A full part of a list.
+pub fn list() -> List {
+    List {
+        rows: [
+            Some(listed(Severity::Stop, "绝缘故障", "Insulation fault", 11, 4_503, 1)),
+            Some(listed(Severity::Derate, "单体过压", "Cell overvoltage", 4, 1_212, 12)),
+            Some(listed(Severity::Warn, "空压机通信中断", "No communication: compressor", 0, 754, 2)),
+            Some(listed(Severity::None, "限转矩", "Torque limited", 0, 36_061, 1)),
+        ],
+        position: 1,
+        count: 3,
+    }
+}
+
+/// A technical part with these values.
+pub fn sheet(part: Part, values: &[Option<i32>]) -> Sheet {
+    let cell = |place: usize| values.get(place).copied().flatten().map_or(Shown::Never, Shown::Value);
+    let cells = std::array::from_fn(cell);
+    Sheet { part, cells, position: part as u8 + 1, count: Part::ALL.len() as u8 }
+}
+
+/// Every technical part with believable values.
+pub fn sheets() -> [Sheet; 6] {
+    let all = |values: &[i32]| values.iter().map(|&value| Some(value)).collect::<Vec<_>>();
+    [
+        sheet(Part::Relays, &all(&[1, 1, 0, 1, 0, 0, 0, 0])),
+        sheet(Part::Contactors, &[Some(1), None, Some(0), Some(2), Some(3)]),
+        sheet(Part::Box, &all(&[1, 1, 0, 1, 0, 0, 1, 0, 0])),
+        sheet(Part::Codes, &all(&[0, 4, 0, 0, 17, 0, 0, 0])),
+        sheet(
+            Part::Extremes,
+            &[
+                Some(3_360),
+                Some(3),
+                Some(12),
+                None,
+                Some(3_308),
+                Some(1),
+                Some(27),
+                None,
+                Some(34),
+                Some(3),
+                None,
+                Some(-4),
+                None,
+                Some(9),
+            ],
+        ),
+        sheet(Part::Bus, &all(&[1, 0, 3, 48_210, 6_102_334, 21, 0, 0, 2])),
+    ]
 }

@@ -1,0 +1,268 @@
+//! A cell: a short text, a number with its unit or a mark, at a fixed place of a page.
+//!
+//! Owns what may stand in a cell and how one row of it is painted; which cells a page has is in `sheet`. A cell is sent
+//! anew when it differs from the one before, and only then.
+
+use crate::{
+    fonts::{self, CLOCK, CROSS, DASH, Font},
+    layout::{Align, Area, BAR_PART},
+    row::Row,
+    theme::{Ink, Palette, Ramp},
+};
+use protocol_core::model::{Severity, Shown};
+
+/// Most characters of a [`Short`].
+const MOST_CHARACTERS: usize = 18;
+/// Space between a number and its unit, and between a text and its code, pixels.
+const GAP: u16 = 4;
+
+/// A few characters of Latin-1 and the fonts' marks for missing numbers, put together when a view comes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Short {
+    codes: [u8; MOST_CHARACTERS],
+    length: u8,
+}
+
+impl Short {
+    pub(crate) const EMPTY: Self = Self { codes: [0; MOST_CHARACTERS], length: 0 };
+
+    /// Returns a number of `decimals` figures behind the point, or the marks of a missing one.
+    pub(crate) fn shown(shown: Shown<i32>, decimals: u32) -> Self {
+        let marks: &[u8] = match shown {
+            Shown::Value(value) => return Self::EMPTY.decimal(value, decimals),
+            Shown::Never => &[DASH, DASH],
+            Shown::Stale => &[CLOCK, DASH, DASH],
+            Shown::Invalid => &[CROSS, DASH, DASH],
+        };
+        marks.iter().fold(Self::EMPTY, |short, &mark| short.code(mark))
+    }
+
+    /// Appends one character; what does not fit is left out.
+    pub(crate) fn code(mut self, code: u8) -> Self {
+        if let Some(room) = self.codes.get_mut(usize::from(self.length)) {
+            *room = code;
+            self.length += 1;
+        }
+        self
+    }
+
+    /// Appends a whole number with at least `least` figures.
+    pub(crate) fn number(self, number: u32, least: u32) -> Self {
+        let figures = number.checked_ilog10().map_or(1, |log| log + 1).max(least);
+        let figure = |place: u32| number.checked_div(10_u32.pow(place)).unwrap_or(0) % 10;
+        (0..figures).rev().fold(self, |short, place| short.code(b'0' + figure(place) as u8))
+    }
+
+    /// Appends a number of which the last `decimals` figures stand behind the point.
+    pub(crate) fn decimal(self, value: i32, decimals: u32) -> Self {
+        let one = 10_u32.pow(decimals);
+        let signed = if value < 0 { self.code(b'-') } else { self };
+        let whole = signed.number(value.unsigned_abs() / one, 1);
+        if decimals == 0 { whole } else { whole.code(b'.').number(value.unsigned_abs() % one, decimals) }
+    }
+
+    fn characters(&self) -> impl Iterator<Item = char> + Clone {
+        self.codes.iter().take(usize::from(self.length)).map(|&code| char::from(code))
+    }
+}
+
+/// What stands in a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Content {
+    Blank,
+    Words(&'static str),
+    Short(Short),
+    /// A number and its unit.
+    Measure(Short, &'static str),
+    /// A text and, at the other end, its code.
+    Coded(&'static str, Option<u16>),
+    /// Pixels of a bar that are lit.
+    Bar(Option<u16>),
+    /// A field in the colour of a severity.
+    Mark(Severity),
+}
+
+/// A cell of a page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Cell {
+    pub(crate) content: Content,
+    pub(crate) ink: Ink,
+}
+
+impl Cell {
+    pub(crate) const BLANK: Self = Self { content: Content::Blank, ink: Ink::Primary };
+}
+
+/// Returns the ink of a number: missing ones stand back.
+pub(crate) fn ink_of<T>(shown: Shown<T>) -> Ink {
+    match shown {
+        Shown::Value(_) => Ink::Primary,
+        Shown::Never => Ink::Faint,
+        Shown::Stale | Shown::Invalid => Ink::Secondary,
+    }
+}
+
+/// Where a cell stands.
+#[derive(Debug)]
+pub(crate) struct Slot {
+    pub(crate) area: Area,
+    /// Top of the capitals.
+    pub(crate) top: u16,
+    pub(crate) font: &'static Font,
+    pub(crate) align: Align,
+}
+
+impl Slot {
+    pub(crate) const fn new(area: Area, top: u16, font: &'static Font, align: Align) -> Self {
+        Self { area, top, font, align }
+    }
+
+    /// Returns the column at which something of `width` begins.
+    fn left(&self, width: u16) -> i16 {
+        let (x, room) = (self.area.x as i16, self.area.width as i16);
+        match self.align {
+            Align::Left => x,
+            Align::Centre => x + (room - width as i16) / 2,
+            Align::Right => x + room - width as i16,
+        }
+    }
+
+    /// Returns the width of what stands in a cell here, pixels.
+    pub(crate) fn width(&self, content: &Content) -> u16 {
+        match content {
+            Content::Blank => 0,
+            Content::Words(text) => self.font.width(text),
+            Content::Short(short) => width(self.font, short.characters()),
+            Content::Measure(short, unit) => {
+                width(self.font, short.characters()) + GAP + fonts::LABEL.width(unit)
+            }
+            Content::Coded(text, code) => {
+                let code = code.map_or(0, |code| GAP + width(self.font, number(code).characters()));
+                self.font.width(text) + code
+            }
+            Content::Bar(_) | Content::Mark(_) => self.area.width,
+        }
+    }
+
+    /// Paints a cell's part of a row that is ground so far.
+    pub(crate) fn paint(&self, cell: &Cell, row: &mut Row, palette: &Palette) {
+        let ramp = palette.ramp(cell.ink);
+        let left = self.left(self.width(&cell.content));
+        match &cell.content {
+            Content::Blank => {}
+            Content::Words(text) => {
+                paint(row, self.font, text.chars(), left, self.top, ramp);
+            }
+            Content::Short(short) => {
+                paint(row, self.font, short.characters(), left, self.top, ramp);
+            }
+            Content::Measure(short, unit) => {
+                let end = paint(row, self.font, short.characters(), left, self.top, ramp);
+                // Both stand on one base line.
+                let top = self.top + u16::from(self.font.cap) - u16::from(fonts::LABEL.cap);
+                let ramp = palette.ramp(Ink::Secondary);
+                paint(row, &fonts::LABEL, unit.chars(), end + GAP as i16, top, ramp);
+            }
+            Content::Coded(text, code) => {
+                paint(row, self.font, text.chars(), self.area.x as i16, self.top, ramp);
+                if let Some(code) = code.map(number) {
+                    let left = self.area.right() - width(self.font, code.characters());
+                    paint(row, self.font, code.characters(), left as i16, self.top, ramp);
+                }
+            }
+            Content::Bar(lit) => {
+                let Area { x, width, .. } = self.area;
+                match lit {
+                    Some(lit) => {
+                        row.fill(x, *lit, palette.colour(cell.ink));
+                        row.fill(x + lit, width - lit, palette.track);
+                    }
+                    None => {
+                        for dot in (x..x + width).step_by(usize::from(BAR_PART)) {
+                            row.fill(dot, BAR_PART / 2, palette.track);
+                        }
+                    }
+                }
+            }
+            Content::Mark(severity) => {
+                row.fill(self.area.x, self.area.width, palette.stripes[*severity as usize]);
+            }
+        }
+    }
+}
+
+fn number(code: u16) -> Short {
+    Short::EMPTY.number(code.into(), 1)
+}
+
+fn width(font: &Font, characters: impl Iterator<Item = char>) -> u16 {
+    characters.filter_map(|one| font.glyph(font.find(one)?)).map(|glyph| u16::from(glyph.advance)).sum()
+}
+
+/// Paints characters from column `x` on; returns the column behind them.
+fn paint(
+    row: &mut Row,
+    font: &Font,
+    characters: impl Iterator<Item = char>,
+    x: i16,
+    top: u16,
+    ramp: &Ramp,
+) -> i16 {
+    let mut pen = x;
+    for glyph in characters.filter_map(|one| font.glyph(font.find(one)?)) {
+        if let Some(coverage) = font.coverage(glyph, pen, top as i16, row.y as i16) {
+            row.cover(&coverage, ramp);
+        }
+        pen += i16::from(glyph.advance);
+    }
+    pen
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    extern crate std;
+    use std::string::String;
+
+    fn read(short: Short) -> String {
+        short.characters().collect()
+    }
+
+    #[test]
+    fn numbers_have_their_sign_their_point_and_every_decimal() {
+        for (value, decimals, expected) in [
+            (0, 0, "0"),
+            (7, 0, "7"),
+            (-120, 0, "-120"),
+            (0, 1, "0.0"),
+            (5, 1, "0.5"),
+            (-5, 1, "-0.5"),
+            (1_234, 1, "123.4"),
+            (3_005, 3, "3.005"),
+            (i32::MAX, 0, "2147483647"),
+            (i32::MIN, 1, "-214748364.8"),
+        ] {
+            assert_eq!(read(Short::shown(Shown::Value(value), decimals)), expected);
+        }
+    }
+
+    #[test]
+    fn missing_numbers_have_marks_of_their_own_and_no_figure() {
+        let marks = [Shown::Never, Shown::Stale, Shown::Invalid].map(|shown| Short::shown(shown, 1).codes);
+        assert_eq!([marks[0][..3].to_vec(), marks[1][..3].to_vec()], [[DASH, DASH, 0], [CLOCK, DASH, DASH]]);
+        assert_eq!(marks[2][0], CROSS);
+    }
+
+    #[test]
+    fn what_does_not_fit_is_left_out() {
+        let long = (0..40).fold(Short::EMPTY, |short, _| short.code(b'8'));
+        assert_eq!(read(long), "8".repeat(MOST_CHARACTERS));
+    }
+
+    #[test]
+    fn a_number_with_leading_zeros_keeps_them() {
+        assert_eq!(read(Short::EMPTY.number(7, 2)), "07");
+        assert_eq!(read(Short::EMPTY.number(0, 2)), "00");
+        assert_eq!(read(Short::EMPTY.number(123, 2)), "123");
+    }
+}
