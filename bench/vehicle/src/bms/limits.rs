@@ -1,0 +1,68 @@
+//! Current limits: what the cells may do by temperature and charge, cut by the faults that are active.
+//!
+//! Owns `charge_limit_amps` and `discharge_limit_amps`, which the vehicle controller must obey (BUS-R082). Refuses to
+//! know faults one by one. Source: BUS-R081, R085 to R117.
+
+use super::pack::along;
+use super::spec::spec;
+use crate::world::World;
+
+/// Limp limit in A (BUS-R081).
+const LIMP_AMPS: f64 = 60.0;
+/// Limp limit as a share of the rated capacity (BUS-R081).
+const LIMP_RATE: f64 = 0.3;
+
+/// Share of the largest discharge current by the coldest probe.
+const DISCHARGE_BY_CELSIUS: &[(f64, f64)] = &[(-30.0, 0.2), (-20.0, 0.4), (0.0, 0.8), (10.0, 1.0)];
+/// Share of the largest discharge current by state of charge; never none, for the pumps and the converter.
+const DISCHARGE_BY_SOC: &[(f64, f64)] = &[(0.0, 0.1), (0.1, 1.0)];
+/// Share of the largest charge current by the coldest probe: below freezing lithium would plate.
+const CHARGE_BY_CELSIUS: &[(f64, f64)] = &[(0.0, 0.0), (2.0, 0.2), (15.0, 1.0)];
+/// Share of the largest charge current by state of charge.
+const CHARGE_BY_SOC: &[(f64, f64)] = &[(0.96, 1.0), (1.0, 0.25)];
+
+/// What active faults leave of the allowance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Allowed {
+    /// Share of the charge current.
+    pub(super) charge: f64,
+    /// Share of the discharge current.
+    pub(super) discharge: f64,
+    /// Runs at the limp limit.
+    pub(super) limp: bool,
+}
+
+impl Default for Allowed {
+    fn default() -> Self {
+        Self { charge: 1.0, discharge: 1.0, limp: false }
+    }
+}
+
+impl Allowed {
+    /// Nothing is allowed.
+    pub(super) fn none() -> Self {
+        Self { charge: 0.0, discharge: 0.0, limp: false }
+    }
+}
+
+/// Charge current that the cells themselves allow, in A.
+pub(super) fn charge_allowance(world: &World) -> f64 {
+    let cold = world.bms.cold.value;
+    spec(world.kind).charge_amps * along(CHARGE_BY_CELSIUS, cold).min(along(CHARGE_BY_SOC, world.pack.soc))
+}
+
+/// Discharge current that the cells themselves allow, in A.
+pub(super) fn discharge_allowance(world: &World) -> f64 {
+    let cold = world.bms.cold.value;
+    spec(world.kind).discharge_amps
+        * along(DISCHARGE_BY_CELSIUS, cold).min(along(DISCHARGE_BY_SOC, world.pack.soc))
+}
+
+/// Cuts the allowance of the cells by what the faults leave.
+pub(super) fn step(world: &mut World, allowed: &Allowed) {
+    let charge = charge_allowance(world) * allowed.charge;
+    let discharge = discharge_allowance(world) * allowed.discharge;
+    let limp = LIMP_AMPS.min(LIMP_RATE * world.pack.capacity_ah);
+    world.bms.charge_limit_amps = charge;
+    world.bms.discharge_limit_amps = if allowed.limp { discharge.min(limp) } else { discharge };
+}

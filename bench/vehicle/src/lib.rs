@@ -1,0 +1,210 @@
+//! The vehicle around the cluster: physics, the rules of all other nodes, their frames.
+//!
+//! A closed loop in virtual time: a driver's settings go in, every frame of every other node comes out at its cycle,
+//! the cluster's own frames go back in. Deterministic: the same settings at the same steps give the same frames. Knows
+//! no bench, no socket and no clock; [`world`] is what is true, [`control`] what a person may change, `wire` what the
+//! documents make of it.
+
+#![forbid(unsafe_code)]
+
+pub mod control;
+pub mod world;
+
+mod bms;
+mod drive;
+mod driver;
+mod parts;
+mod spec;
+mod vcu;
+mod wire;
+
+pub use control::{Control, ControlError, Group, Setting, Takes, Word};
+pub use world::World;
+
+use protocol_core::CanFrame;
+use protocol_core::vehicle::Node;
+use wire::Wire;
+
+/// Virtual time of one step, in milliseconds.
+pub const STEP_MS: u64 = 10;
+/// The same in seconds, for the physics.
+pub(crate) const STEP_S: f64 = STEP_MS as f64 / 1_000.0;
+
+/// Which of the three vehicles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// The city bus.
+    Bus,
+    /// The E66/E7/E8/E10 vans and buses.
+    Jiulong,
+    /// The car.
+    C5ev,
+}
+
+impl Kind {
+    /// Every vehicle.
+    pub const ALL: [Self; 3] = [Self::Bus, Self::Jiulong, Self::C5ev];
+
+    /// Returns the name of its folder in `vehicles/`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bus => "bus",
+            Self::Jiulong => "jiulong",
+            Self::C5ev => "c5ev",
+        }
+    }
+
+    /// Returns the vehicle of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+}
+
+/// Which of two printed cycles the nodes keep, where the documents print two (BUS-18).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cycles {
+    /// The cycle on the page of the message.
+    #[default]
+    Page,
+    /// The slower one of page and overview.
+    Slow,
+}
+
+/// What is chosen when the vehicle is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Which printed cycles the nodes keep.
+    pub cycles: Cycles,
+    /// Cells in series; 0 = as many as this vehicle usually has.
+    pub cells: u16,
+    /// Temperature probes; 0 = as many as this vehicle usually has.
+    pub probes: u16,
+    /// Largest lateness of a frame against its cycle, in microseconds; the mean is half of it.
+    pub jitter_us: u32,
+    /// Seed of phases, jitter and the spread between cells.
+    pub seed: u64,
+    /// Sends the messages that a vehicle may be built without, too.
+    pub optional: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { cycles: Cycles::Page, cells: 0, probes: 0, jitter_us: 500, seed: 1, optional: false }
+    }
+}
+
+/// A frame that a node sends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sent {
+    /// When it is ready to be sent, in microseconds since the vehicle's start.
+    pub at_us: u64,
+    /// Who sends it.
+    pub node: Node,
+    /// The frame.
+    pub frame: CanFrame,
+}
+
+/// Something true in the vehicle, for people and tests to read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Readout {
+    /// Public name, like the model's: `battery.soc`.
+    pub path: &'static str,
+    /// What it is called in simplified Chinese.
+    pub zh: &'static str,
+    /// What it is called in English.
+    pub en: &'static str,
+    /// The value in `unit`.
+    pub value: f64,
+    /// Unit, for example `km/h`.
+    pub unit: &'static str,
+    /// Digits after the point that mean something.
+    pub digits: u8,
+}
+
+/// A whole vehicle but for its cluster.
+pub struct VirtualVehicle {
+    world: World,
+    wire: Wire,
+}
+
+impl VirtualVehicle {
+    /// Builds a vehicle that stands, keyed on, with a charged battery.
+    pub fn new(kind: Kind, options: Options) -> Self {
+        let world = World::new(kind, options);
+        Self { wire: Wire::new(kind, options), world }
+    }
+
+    /// Which vehicle it is.
+    pub fn kind(&self) -> Kind {
+        self.world.kind
+    }
+
+    /// What is true in the vehicle.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// Nodes that send on this bus.
+    pub fn nodes(&self) -> &[Node] {
+        self.wire.nodes()
+    }
+
+    /// Time since the vehicle's start, in milliseconds.
+    pub fn now_ms(&self) -> u64 {
+        self.world.now_ms
+    }
+
+    /// What a person may change in this vehicle.
+    pub fn controls(&self) -> impl Iterator<Item = &'static Control> {
+        let kind = self.world.kind;
+        control::all().filter(move |control| control.on.contains(&kind))
+    }
+
+    /// Changes one thing; it acts from the next step on.
+    ///
+    /// # Errors
+    /// If there is no such control in this vehicle or the setting is out of its range; the error says what there is.
+    pub fn set(&mut self, path: &str, setting: Setting) -> Result<(), ControlError> {
+        let control = control::find(self.world.kind, path)?;
+        control.check(setting)?;
+        (control.set)(&mut self.world, setting);
+        Ok(())
+    }
+
+    /// Returns what is set now; `None` if there is no such control.
+    pub fn setting(&self, path: &str) -> Option<Setting> {
+        control::find(self.world.kind, path).ok().map(|control| (control.get)(&self.world))
+    }
+
+    /// Returns what is true, in the order in which a person would read it.
+    pub fn readouts(&self) -> Vec<Readout> {
+        drive::readouts(&self.world)
+    }
+
+    /// Returns one truth by its name.
+    pub fn readout(&self, path: &str) -> Option<f64> {
+        self.readouts().into_iter().find(|readout| readout.path == path).map(|readout| readout.value)
+    }
+
+    /// Lets one step of [`STEP_MS`] pass: physics first, then what each node makes of it, then their frames.
+    pub fn advance(&mut self) {
+        let world = &mut self.world;
+        driver::step(world);
+        vcu::step(world);
+        bms::step(world);
+        parts::step(world);
+        drive::step(world);
+        self.wire.step(world);
+        world.now_ms += STEP_MS;
+    }
+
+    /// Takes the frames that became ready in the last step, earliest first.
+    pub fn take_frames(&mut self) -> Vec<Sent> {
+        self.wire.take()
+    }
+
+    /// Hears a frame of the cluster; what it says acts from the next step on.
+    pub fn receive(&mut self, frame: &CanFrame) {
+        self.wire.receive(&mut self.world, frame);
+    }
+}

@@ -1,0 +1,69 @@
+//! How much power and torque is allowed now, and who says so.
+//!
+//! The vehicle drives strictly within what the battery sends (BUS-R082), less what the accessories take. On top of that
+//! come the limp mode after losing the battery (BUS-R080), heat, faults, and the fading of a cut-off. The factors are a
+//! table: the product is what is left.
+
+use super::{faults, power_up};
+use crate::Kind;
+use crate::drive::motor_severity;
+use crate::spec::Spec;
+use crate::world::World;
+use protocol_core::model::Severity;
+
+/// Share of the battery's limit that is used: the rest is for a voltage that sags within a step.
+const MARGIN: f64 = 0.97;
+/// Share of the rated power below which the driver is told of a limit.
+const TOLD: f64 = 0.8;
+/// Winding and controller temperature at which the torque starts to fall, and over how many degrees it falls to none.
+const WARM: [(f64, f64); 2] = [(140.0, 20.0), (85.0, 10.0)];
+/// Share of the power with an ordinary fault of its own (BUS level 2), and with an alarm of the car (C5-R014).
+const DERATED: f64 = 0.5;
+
+/// Works out the limits.
+pub(super) fn step(world: &mut World, spec: &Spec) {
+    let cool = cool(world);
+    let factors = [
+        power_up::fading(world),
+        cool,
+        if world.vcu.severity >= Severity::Derate { DERATED } else { 1.0 },
+        if faults::alarms(world) { DERATED } else { 1.0 },
+        if world.driver.economy { 0.85 } else { 1.0 },
+    ];
+    let factor: f64 = factors.iter().product();
+    let heard = world.vcu.heard;
+    let accessories = world.accessory_watts();
+    let from_battery = MARGIN * heard.discharge_limit_amps * heard.volts - accessories;
+    let own = factor * if world.vcu.limp { spec.limp_watts } else { spec.max_watts };
+    let into_battery = MARGIN * heard.charge_limit_amps * heard.volts + accessories;
+    let vcu = &mut world.vcu;
+    vcu.allowed_watts = if vcu.ready { own.min(from_battery).max(0.0) } else { 0.0 };
+    vcu.may_regenerate = vcu.ready && !vcu.limp && !vcu.seat_cut && heard.charge_limit_amps > 0.0;
+    vcu.allowed_regeneration_watts =
+        if vcu.may_regenerate { (factor * spec.regeneration_watts).min(into_battery).max(0.0) } else { 0.0 };
+    let told = TOLD * spec.max_watts * if world.driver.economy { 0.85 } else { 1.0 };
+    vcu.power_limited = vcu.limp || (vcu.ready && vcu.allowed_watts < told);
+    vcu.torque_limited = cool < 1.0 || vcu.seat_cut;
+}
+
+/// Share of the torque that heat leaves.
+fn cool(world: &World) -> f64 {
+    let share = |celsius: f64, (from, over): (f64, f64)| (1.0 - (celsius - from) / over).clamp(0.0, 1.0);
+    share(world.motor.celsius, WARM[0]).min(share(world.motor.inverter_celsius, WARM[1]))
+}
+
+/// Heat takes some of the torque.
+pub(crate) fn is_warm(world: &World) -> bool {
+    cool(world) < 1.0
+}
+
+/// Speed in km/h at which the torque is taken back.
+pub(super) fn top_kmh(world: &World, spec: &Spec, reverse: bool) -> f64 {
+    let worst = world.vcu.severity.max(world.vcu.heard.severity).max(motor_severity(world));
+    match (reverse, world.kind, worst) {
+        (true, _, _) => spec.top_reverse_kmh,
+        // JL-R010: an ordinary fault drives on at limited speed.
+        (false, Kind::Jiulong, Severity::Derate) => 0.4 * spec.top_kmh,
+        _ => spec.top_kmh,
+    }
+}
