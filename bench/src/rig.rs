@@ -3,17 +3,21 @@
 //! Owns the wiring of the Pico board as this repository's README prints it, written down here a second time on
 //! purpose: firmware that drives another pin is found out. Refuses to know what a frame means.
 
-use crate::can::{Event, EventKind, Frame, NodeId, Participant};
+use crate::can::{Event, EventKind, Frame, Id, LoadGenerator, NodeId, NodeMode, Participant, Tag};
 use crate::chips::bench_board::{BenchBoard, CanWiring, PanelWiring, Wiring};
 use crate::chips::{mcp2515, panel};
+use crate::join::{self, Members};
 use crate::log::Log;
+use crate::recent::Recent;
 use crate::rp2040::{Rp2040, Stop, image};
 use crate::time::Nanos;
 use anyhow::Result;
 use protocol_core::Value;
 use protocol_core::link::{Decoder, Health, Record, Sample, Screen};
+use protocol_core::vehicle::Node;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
+use virtual_vehicle::{Kind, VirtualVehicle, World};
 
 /// The panel module that is soldered on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,6 +49,15 @@ impl Default for RigOptions {
 /// Time between the end of a recording and its next start, when it is played in a loop.
 const LOOP_PAUSE: Nanos = Nanos::from_millis(20);
 
+/// Frames that a node of the vehicle keeps for a bus that does not take them; beyond that a new one of the same
+/// identifier replaces the old, as in a mailbox.
+const MAILBOXES: usize = 16;
+/// A babbling node repeats this without a pause: no identifier goes before it.
+const BABBLE: Option<Id> = Id::standard(0);
+/// Frames and records that are kept at least: a minute of a full bus, and ten of the link.
+const FRAMES_KEPT: usize = 1 << 17;
+const RECORDS_KEPT: usize = 1 << 14;
+
 /// A pixel that goes A, B, A within this span was cleared and drawn again: views come 50 ms apart.
 const FLICKER_SPAN: Nanos = Nanos::from_millis(40);
 
@@ -73,14 +86,41 @@ pub struct Counts {
 /// A whole bench.
 pub struct Rig {
     chip: Rp2040<BenchBoard>,
-    heard: Arc<Mutex<Vec<Heard>>>,
+    heard: Arc<Mutex<Recent<Heard>>>,
     decoder: Decoder,
+    /// Number of the first byte of the link that has not been read.
     uart_read: usize,
-    records: Vec<(Nanos, Record)>,
+    records: Recent<(Nanos, Record)>,
     damaged: usize,
     values: [Sample; Value::COUNT],
     health: Health,
     screen: Option<Screen>,
+    around: Option<Around>,
+    /// Sends single frames by hand.
+    hand: Option<NodeId>,
+    babbler: Option<NodeId>,
+    members: Members,
+    /// When the other tools on the bus have their next turn.
+    turn_due: Nanos,
+}
+
+/// The vehicle around the cluster, on the bus.
+struct Around {
+    vehicle: VirtualVehicle,
+    /// Its start.
+    since: Nanos,
+    nodes: Vec<(Node, NodeId)>,
+    /// Number of the first frame on the bus that it has not been told of.
+    told: usize,
+    /// Which switches are closed.
+    closed: [bool; SWITCHES.len()],
+}
+
+impl Around {
+    /// When its next step is due.
+    fn due(&self) -> Nanos {
+        self.since + Nanos::from_millis(self.vehicle.now_ms())
+    }
 }
 
 impl Rig {
@@ -97,7 +137,7 @@ impl Rig {
         };
         let panel = panel::Config { flicker_span: FLICKER_SPAN, ..panel };
         let mut board = BenchBoard::new(pico_wiring(), options.bitrate, can, panel);
-        let heard = Arc::default();
+        let heard = Arc::new(Mutex::new(Recent::keeping(FRAMES_KEPT)));
         let node = board.bus_mut().attach("logger");
         let cluster = board.mcp2515().node();
         board.join(Logger { node, cluster, last_sent: None, heard: Arc::clone(&heard) });
@@ -106,12 +146,47 @@ impl Rig {
             heard,
             decoder: Decoder::new(),
             uart_read: 0,
-            records: Vec::new(),
+            records: Recent::keeping(RECORDS_KEPT),
             damaged: 0,
             values: [Sample::Never; Value::COUNT],
             health: Health::default(),
             screen: None,
+            around: None,
+            hand: None,
+            babbler: None,
+            members: Members::default(),
+            turn_due: Nanos::ZERO,
         })
+    }
+
+    /// Puts a vehicle around the cluster: each of its nodes is a node of the bus, and it hears what the cluster sends.
+    pub fn drive(&mut self, vehicle: VirtualVehicle) {
+        let since = self.now();
+        let told = self.heard.lock().map_or(0, |heard| heard.next_number());
+        let bus = self.board_mut().bus_mut();
+        let nodes = vehicle
+            .nodes()
+            .iter()
+            .map(|&node| (node, bus.attach(&format!("{node:?}").to_lowercase())))
+            .collect();
+        self.around = Some(Around { vehicle, since, nodes, told, closed: [false; SWITCHES.len()] });
+    }
+
+    /// The vehicle around the cluster, if there is one.
+    pub fn vehicle(&self) -> Option<&VirtualVehicle> {
+        self.around.as_ref().map(|around| &around.vehicle)
+    }
+
+    /// The vehicle around the cluster, to change its settings.
+    pub fn vehicle_mut(&mut self) -> Option<&mut VirtualVehicle> {
+        self.around.as_mut().map(|around| &mut around.vehicle)
+    }
+
+    /// Lets other tools take part in the bus from now on; they have a turn every [`join::TURN`] of virtual time.
+    pub fn host(&mut self, members: &Members) {
+        members.attach(self.board_mut());
+        self.turn_due = self.now();
+        self.members = members.clone();
     }
 
     /// Puts a node on the bus that plays a recording at its recorded times, once or in a loop.
@@ -130,9 +205,78 @@ impl Rig {
     /// # Errors
     /// If the firmware does what the bench does not model, or locks up.
     pub fn run_for(&mut self, span: Nanos) -> Result<(), Stop> {
-        let result = self.chip.run_until(self.chip.now() + span);
+        let end = self.chip.now() + span;
+        let mut result = Ok(());
+        while result.is_ok() && self.now() < end {
+            let due = [self.step_vehicle(), self.serve_members()];
+            let stop = due.into_iter().flatten().fold(end, Nanos::min);
+            result = self.chip.run_until(stop);
+        }
         self.read_link();
         result
+    }
+
+    /// Lets the vehicle take the steps that are due and returns when the next one is.
+    fn step_vehicle(&mut self) -> Option<Nanos> {
+        let now = self.now();
+        let mut around = self.around.take()?;
+        while around.due() <= now {
+            if let Ok(heard) = self.heard.lock() {
+                for heard in heard.since(around.told).iter().filter(|heard| heard.by_cluster) {
+                    if let Some(frame) = heard.frame.data_frame() {
+                        around.vehicle.receive(&frame);
+                    }
+                }
+                around.told = heard.next_number();
+            }
+            around.vehicle.advance();
+            let sent = around.vehicle.take_frames();
+            let bus = self.board_mut().bus_mut();
+            for sent in sent {
+                if let Some((_, node)) = around.nodes.iter().find(|(node, _)| *node == sent.node) {
+                    let frame = Frame::from(&sent.frame);
+                    let mailbox = Tag(frame.arbitration_key());
+                    if bus.pending(*node) >= MAILBOXES {
+                        bus.abort(*node, mailbox);
+                    }
+                    // The engine stops behind the instruction in which the step fell due.
+                    let at = (around.since + Nanos::from_micros(sent.at_us)).max(now);
+                    bus.request(*node, at, frame, mailbox);
+                }
+            }
+            self.wire_inputs(&mut around);
+        }
+        let due = around.due();
+        self.around = Some(around);
+        Some(due)
+    }
+
+    /// Gives the other tools their turn if it is due and returns when the next one is.
+    fn serve_members(&mut self) -> Option<Nanos> {
+        if self.members.is_empty() {
+            return None;
+        }
+        if self.turn_due <= self.now() {
+            self.members.clone().poll(self.board_mut());
+            self.turn_due = self.now() + join::TURN;
+        }
+        Some(self.turn_due)
+    }
+
+    /// Puts what the cluster's own wires report onto the board's pins.
+    fn wire_inputs(&mut self, around: &mut Around) {
+        let world = around.vehicle.world();
+        let now = self.now();
+        for (index, (closed, switch)) in around.closed.iter_mut().zip(SWITCHES).enumerate() {
+            let closes = (switch.is_closed)(world);
+            if *closed != closes {
+                *closed = closes;
+                self.board_mut().press(now, BUTTONS.len() + index, closes);
+            }
+        }
+        for (channel, read) in ANALOG.into_iter().enumerate() {
+            self.chip.set_analog(channel, read(world));
+        }
     }
 
     /// Virtual time since power-on.
@@ -157,14 +301,73 @@ impl Rig {
         &mut self.chip.board
     }
 
-    /// Every frame that was on the bus.
+    /// The frames that were on the bus; of a long run, the last ones.
     pub fn heard(&self) -> Vec<Heard> {
-        self.heard.lock().map(|heard| heard.clone()).unwrap_or_default()
+        self.heard_since(0).0
     }
 
-    /// Every record that the firmware has sent, with the time of its last byte.
+    /// The frames from `number` on, and the number of the frame that comes next.
+    pub fn heard_since(&self, number: usize) -> (Vec<Heard>, usize) {
+        self.heard.lock().map(|heard| (heard.since(number).to_vec(), heard.next_number())).unwrap_or_default()
+    }
+
+    /// The records that the firmware has sent, with the time of their last byte; of a long run, the last ones.
     pub fn records(&self) -> &[(Nanos, Record)] {
-        &self.records
+        self.records.as_slice()
+    }
+
+    /// The tone that the buzzer makes now, in Hz; `None` = it is silent.
+    pub fn sound(&self) -> Option<u32> {
+        self.board().buzzer().last().filter(|change| change.duty > 0).map(|change| change.frequency_hz)
+    }
+
+    /// Sends one frame by hand, as soon as the bus is free.
+    pub fn send(&mut self, frame: Frame) {
+        let (now, hand) = (self.now(), self.hand);
+        let bus = self.board_mut().bus_mut();
+        let node = hand.unwrap_or_else(|| bus.attach("hand"));
+        bus.request(node, now, frame, Tag(frame.arbitration_key()));
+        self.hand = Some(node);
+    }
+
+    /// Fault: the bus is stuck dominant, or free again.
+    pub fn short_bus(&mut self, shorted: bool) {
+        let now = self.now();
+        self.board_mut().bus_mut().short(now, shorted);
+    }
+
+    /// Fault: a node sends the most urgent identifier without a pause, or falls silent again.
+    pub fn babble(&mut self, on: bool) {
+        let now = self.now();
+        match (self.babbler, BABBLE) {
+            (Some(node), _) => {
+                let mode = if on { NodeMode::Active } else { NodeMode::Off };
+                self.board_mut().bus_mut().set_mode(node, now, mode);
+            }
+            (None, Some(id)) if on => {
+                let node = self.board_mut().bus_mut().attach("babbler");
+                self.board_mut().join(LoadGenerator::sequenced(node, id));
+                self.babbler = Some(node);
+            }
+            (None, _) => {}
+        }
+    }
+
+    /// Fault: every frame reaches the cluster with a wrong CRC, or as it was sent again.
+    pub fn garble(&mut self, on: bool) {
+        let cluster = self.board().mcp2515().node();
+        self.board_mut().bus_mut().garble_receptions(cluster, if on { u32::MAX } else { 0 });
+    }
+
+    /// Fault: the cluster's bus wires are pulled, or plugged in again.
+    pub fn unplug(&mut self, unplugged: bool) {
+        let (now, cluster) = (self.now(), self.board().mcp2515().node());
+        let bus = self.board_mut().bus_mut();
+        if unplugged {
+            bus.cut(cluster, now);
+        } else {
+            bus.mend(cluster, now);
+        }
     }
 
     /// Frames of the PC link that did not decode.
@@ -227,8 +430,8 @@ impl Rig {
     }
 
     fn read_link(&mut self) {
-        let uart = self.chip.board.uart();
-        for &(at, byte) in uart.get(self.uart_read..).unwrap_or_default() {
+        let (bytes, next) = self.chip.board.uart_since(self.uart_read);
+        for &(at, byte) in bytes {
             match self.decoder.push(byte) {
                 Some(Ok(record)) => {
                     match &record {
@@ -241,7 +444,8 @@ impl Rig {
                         }
                         Record::Health(health) => self.health = *health,
                         Record::Shown(screen) => self.screen = Some(*screen),
-                        Record::Hello { .. } | Record::Panic { .. } => {}
+                        // Whoever wants the others reads the records.
+                        _ => {}
                     }
                     self.records.push((at, record));
                 }
@@ -249,8 +453,56 @@ impl Rig {
                 None => {}
             }
         }
-        self.uart_read = uart.len();
+        self.uart_read = next;
     }
+}
+
+/// The cluster's buttons: next, menu.
+const BUTTONS: [u8; 2] = [2, 3];
+
+/// A switch of the vehicle, to ground.
+struct Switch {
+    pin: u8,
+    is_closed: fn(&World) -> bool,
+}
+
+const fn switch(pin: u8, is_closed: fn(&World) -> bool) -> Switch {
+    Switch { pin, is_closed }
+}
+
+const SWITCHES: [Switch; 7] = [
+    switch(4, |world| world.body.front_door),
+    switch(5, |world| world.body.rear_door),
+    switch(6, |world| world.driver.seat_empty),
+    switch(7, |world| world.driver.hand_brake),
+    switch(14, |world| world.body.smoke),
+    switch(21, |world| world.body.turn_left),
+    switch(22, |world| world.body.turn_right),
+];
+
+/// Millivolts on GPIO 26 to 28: supply, front and rear air reservoir.
+const ANALOG: [fn(&World) -> u32; 3] = [
+    |world| at_pin(world.supply.volts / SUPPLY_DIVIDER),
+    |world| air(world, world.air.front_mpa),
+    |world| air(world, world.air.rear_mpa),
+];
+/// Resistors of 100k and 10k.
+const SUPPLY_DIVIDER: f64 = 11.0;
+/// Air sensors: 0.5 V at nothing, 4.5 V at 1.2 MPa, over resistors of 10k and 20k.
+const AIR_ZERO_VOLTS: f64 = 0.5;
+const AIR_VOLTS_PER_MPA: f64 = 4.0 / 1.2;
+const AIR_DIVIDER: f64 = 1.5;
+/// The pads' clamp diodes.
+const PIN_MAX_MILLIVOLTS: f64 = 3_600.0;
+
+fn at_pin(volts: f64) -> u32 {
+    (volts * 1_000.0).clamp(0.0, PIN_MAX_MILLIVOLTS).round() as u32
+}
+
+/// Only the bus brakes with air; elsewhere nothing is connected.
+fn air(world: &World, mpa: f64) -> u32 {
+    let volts = (AIR_ZERO_VOLTS + mpa * AIR_VOLTS_PER_MPA) / AIR_DIVIDER;
+    if world.kind == Kind::Bus { at_pin(volts) } else { 0 }
 }
 
 fn pico_wiring() -> Wiring {
@@ -258,7 +510,7 @@ fn pico_wiring() -> Wiring {
         can: CanWiring { spi: 0, cs: 17, int: 20 },
         panel: PanelWiring { spi: 1, cs: 9, dc: 8, reset: Some(12), backlight: Some(13) },
         buzzer: Some(15),
-        buttons: vec![2, 3],
+        buttons: BUTTONS.into_iter().chain(SWITCHES.map(|switch| switch.pin)).collect(),
         uart: 0,
     }
 }
@@ -268,7 +520,7 @@ struct Logger {
     node: NodeId,
     cluster: NodeId,
     last_sent: Option<Nanos>,
-    heard: Arc<Mutex<Vec<Heard>>>,
+    heard: Arc<Mutex<Recent<Heard>>>,
 }
 
 impl Participant for Logger {

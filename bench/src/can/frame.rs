@@ -3,6 +3,7 @@
 //! Owns identifiers, the remote flag, the raw length code and the payload. A length code of 9..=15 is legal on the wire
 //! and means eight bytes, so the code is kept as sent. Source: Bosch CAN 2.0 part B, chapter 3.1.
 
+use protocol_core::{CanFrame, CanId};
 use std::fmt;
 
 /// An 11-bit identifier.
@@ -123,6 +124,15 @@ impl Frame {
         &self.data[..self.data_len()]
     }
 
+    /// The frame as the codecs have it; `None` for a remote request, which carries no signals.
+    pub fn data_frame(&self) -> Option<CanFrame> {
+        let id = match self.id {
+            Id::Standard(id) => CanId::standard(id.raw()),
+            Id::Extended(id) => CanId::extended(id.raw()),
+        };
+        if self.remote { None } else { CanFrame::from_slice(id, self.payload()) }
+    }
+
     /// The arbitration field as one number, first bit on top: the lower number wins the bus.
     ///
     /// Base identifier, then RTR and IDE of a standard frame against SRR, IDE, the low 18 bits and RTR of an extended one.
@@ -131,6 +141,19 @@ impl Frame {
             Id::Standard(id) => (id.0 as u32) << 21 | (self.remote as u32) << 20,
             Id::Extended(id) => (id.0 >> 18) << 21 | 0b11 << 19 | (id.0 & 0x3_FFFF) << 1 | self.remote as u32,
         }
+    }
+}
+
+impl From<&CanFrame> for Frame {
+    fn from(frame: &CanFrame) -> Self {
+        let (bits, data) = (frame.id.bits(), *frame.padded());
+        // A packed identifier has no more bits than its kind allows.
+        let id = if frame.id.is_extended() {
+            Id::Extended(ExtendedId(bits))
+        } else {
+            Id::Standard(StandardId(bits as u16))
+        };
+        Self { id, remote: false, dlc: frame.bytes().len() as u8, data }
     }
 }
 

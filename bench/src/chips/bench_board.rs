@@ -10,6 +10,7 @@ use super::mcp2515::{self, Mcp2515};
 use super::panel::{self, Panel};
 use crate::can::{Bus, Event, Participant};
 use crate::pins::{Board, InputPins};
+use crate::recent::Recent;
 use crate::time::Nanos;
 
 /// Where the MCP2515 is soldered.
@@ -47,7 +48,7 @@ pub struct Wiring {
     pub panel: PanelWiring,
     /// The buzzer's PWM pin.
     pub buzzer: Option<u8>,
-    /// Buttons to ground, pulled up.
+    /// Buttons and switches to ground, pulled up.
     pub buttons: Vec<u8>,
     /// UART port whose bytes are recorded.
     pub uart: u8,
@@ -64,6 +65,9 @@ pub struct PwmChange {
     pub duty: u32,
 }
 
+/// Entries that each log keeps at least: minutes at full load.
+const KEPT: usize = 1 << 18;
+
 /// A board in the bench.
 pub struct BenchBoard {
     wiring: Wiring,
@@ -73,10 +77,10 @@ pub struct BenchBoard {
     participants: Vec<Box<dyn Participant + Send>>,
     /// Button presses to come: when, which, pressed.
     presses: VecDeque<(Nanos, u8, bool)>,
-    uart: Vec<(Nanos, u8)>,
-    buzzer: Vec<PwmChange>,
-    backlight: Vec<PwmChange>,
-    int_edges: Vec<(Nanos, bool)>,
+    uart: Recent<(Nanos, u8)>,
+    buzzer: Recent<PwmChange>,
+    backlight: Recent<PwmChange>,
+    int_edges: Recent<(Nanos, bool)>,
     now: Nanos,
     due: Option<Nanos>,
 }
@@ -97,10 +101,10 @@ impl BenchBoard {
             panel,
             participants: Vec::new(),
             presses: VecDeque::new(),
-            uart: Vec::new(),
-            buzzer: Vec::new(),
-            backlight: Vec::new(),
-            int_edges: Vec::new(),
+            uart: Recent::keeping(KEPT),
+            buzzer: Recent::keeping(KEPT),
+            backlight: Recent::keeping(KEPT),
+            int_edges: Recent::keeping(KEPT),
             now: Nanos::ZERO,
             due: Some(Nanos::ZERO),
         }
@@ -154,7 +158,7 @@ impl BenchBoard {
         self.due = Some(self.now);
     }
 
-    /// Presses (`true`) or lets go of button `index` at `at`; presses must come in the order of time.
+    /// Presses (`true`) or lets go of button or switch `index` at `at`; presses must come in the order of time.
     pub fn press(&mut self, at: Nanos, index: usize, pressed: bool) {
         if let Some(&pin) = self.wiring.buttons.get(index) {
             self.presses.push_back((at.max(self.now), pin, pressed));
@@ -162,24 +166,29 @@ impl BenchBoard {
         }
     }
 
-    /// Bytes that left the UART, with the end of their stop bits.
+    /// Bytes that left the UART last, with the end of their stop bits.
     pub fn uart(&self) -> &[(Nanos, u8)] {
-        &self.uart
+        self.uart.as_slice()
     }
 
-    /// What the buzzer was told.
+    /// The same from byte `number` on, and the number of the byte that comes next.
+    pub fn uart_since(&self, number: usize) -> (&[(Nanos, u8)], usize) {
+        (self.uart.since(number), self.uart.next_number())
+    }
+
+    /// What the buzzer was told last.
     pub fn buzzer(&self) -> &[PwmChange] {
-        &self.buzzer
+        self.buzzer.as_slice()
     }
 
-    /// What the back-light was told.
+    /// What the back-light was told last.
     pub fn backlight(&self) -> &[PwmChange] {
-        &self.backlight
+        self.backlight.as_slice()
     }
 
-    /// Levels of the MCP2515's INT pin: at power-on, then every edge.
+    /// Levels of the MCP2515's INT pin: at power-on, then every edge; the last ones of a long run.
     pub fn int_edges(&self) -> &[(Nanos, bool)] {
-        &self.int_edges
+        self.int_edges.as_slice()
     }
 
     fn refresh_due(&mut self) {
@@ -208,7 +217,7 @@ impl BenchBoard {
         if self.due.is_none_or(|due| due > now) {
             return;
         }
-        if self.int_edges.is_empty() {
+        if self.int_edges.next_number() == 0 {
             for &pin in &self.wiring.buttons {
                 inputs.drive(pin, true);
             }

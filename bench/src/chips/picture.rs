@@ -1,6 +1,8 @@
 //! Pictures as a person would see them, and as PNG files.
 
-use std::io;
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::path::Path;
 
 /// An RGB picture, eight bits per colour, rows from the top.
 #[derive(Clone, PartialEq, Eq)]
@@ -27,6 +29,22 @@ impl Picture {
         }
         let start = (y as usize * self.width as usize + x as usize) * 3;
         self.rgb.get(start..start + 3)?.try_into().ok()
+    }
+
+    /// Reads a PNG file of eight bits per colour without transparency, as [`Picture::png`] makes it.
+    ///
+    /// # Errors
+    ///
+    /// When the file cannot be read or is another kind of picture.
+    pub fn read_png(path: &Path) -> io::Result<Self> {
+        let mut reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
+        let other = || io::Error::new(io::ErrorKind::InvalidData, "not RGB with eight bits per colour");
+        let mut rgb = vec![0; reader.output_buffer_size().ok_or_else(other)?];
+        let info = reader.next_frame(&mut rgb)?;
+        if (info.color_type, info.bit_depth) != (png::ColorType::Rgb, png::BitDepth::Eight) {
+            return Err(other());
+        }
+        Ok(Self { width: info.width, height: info.height, rgb })
     }
 
     /// The picture as a PNG file.

@@ -1,0 +1,232 @@
+//! What is wanted of a name, what was found, and whether the two fit.
+//!
+//! Numbers are in everyday units and must be met exactly; where physics decides, a scenario gives a range. A value that
+//! is missing is a word of its own: `never`, `stale`, `invalid`.
+
+use protocol_core::Value;
+use protocol_core::link::Sample;
+use protocol_core::model::Severity;
+use std::fmt;
+
+/// Numbers closer together than this are the same: decimals of a file are no binary fractions.
+const SAME: f64 = 1e-6;
+
+/// What was found under a name.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// A number in its everyday unit.
+    Number(f64),
+    /// A word.
+    Word(String),
+    /// The last pause of this sound: it plays still, or has ended.
+    Pause(String),
+    /// The message line; `None` = it is empty.
+    Line(Option<FoundLine>),
+}
+
+/// A message line as it was found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FoundLine {
+    /// Its English text; the link carries a number that several texts may share.
+    pub texts: Vec<String>,
+    /// The code beside it.
+    pub code: Option<u16>,
+    /// How bad it is.
+    pub severity: Severity,
+    /// Which of the lines that take turns.
+    pub position: u8,
+    /// How many take turns.
+    pub count: u8,
+}
+
+/// What is wanted under a name.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Wanted {
+    /// This number.
+    Number(f64),
+    /// A number from the first to the second, both included.
+    Range(f64, f64),
+    /// One of these words.
+    Words(Vec<String>),
+    /// A message line.
+    Line(WantedLine),
+}
+
+/// What is wanted of a message line; what is `None` does not matter.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct WantedLine {
+    /// English text.
+    pub text: Option<String>,
+    /// Code; `Some(None)` = there must be none.
+    pub code: Option<Option<u16>>,
+    /// How bad.
+    pub severity: Option<Severity>,
+    /// How many lines take turns.
+    pub count: Option<u8>,
+}
+
+impl Answer {
+    /// Returns the answer of a word.
+    pub fn word(word: impl Into<String>) -> Self {
+        Self::Word(word.into())
+    }
+
+    /// Returns a value as a person reads it.
+    pub fn of_sample(sample: Sample, value: Value) -> Self {
+        match sample {
+            Sample::Never => Self::word("never"),
+            Sample::Stale => Self::word("stale"),
+            Sample::Invalid => Self::word("invalid"),
+            Sample::Value(counts) => {
+                let text = value.unit().show(counts).to_string();
+                let number = text.split(' ').next().and_then(|number| number.parse().ok());
+                number.map_or(Self::Word(text), Self::Number)
+            }
+        }
+    }
+
+    /// Returns a shown number.
+    pub fn of_number(sample: Sample) -> Self {
+        match sample {
+            Sample::Value(number) => Self::Number(f64::from(number)),
+            Sample::Never => Self::word("never"),
+            Sample::Stale => Self::word("stale"),
+            Sample::Invalid => Self::word("invalid"),
+        }
+    }
+}
+
+impl Wanted {
+    /// Returns whether `answer` is, or may be, what is wanted.
+    pub fn fits(&self, answer: &Answer) -> bool {
+        match (self, answer) {
+            (Self::Number(wanted), Answer::Number(number)) => (wanted - number).abs() < SAME,
+            (Self::Range(low, high), Answer::Number(number)) => (low - SAME..=high + SAME).contains(number),
+            (Self::Words(words), Answer::Word(word)) => words.contains(word),
+            (Self::Words(words), Answer::Pause(sound)) => {
+                words.iter().any(|word| word == sound || word == "none")
+            }
+            (Self::Words(words), Answer::Line(None)) => words.iter().any(|word| word == "none"),
+            (Self::Line(wanted), Answer::Line(Some(line))) => wanted.fits(line),
+            _ => false,
+        }
+    }
+
+    /// Returns whether `answer` is what is wanted, without a doubt.
+    pub fn surely_fits(&self, answer: &Answer) -> bool {
+        !matches!(answer, Answer::Pause(_)) && self.fits(answer)
+    }
+}
+
+impl WantedLine {
+    fn fits(&self, line: &FoundLine) -> bool {
+        self.text.as_ref().is_none_or(|text| line.texts.contains(text))
+            && self.code.is_none_or(|code| code == line.code)
+            && self.severity.is_none_or(|severity| severity == line.severity)
+            && self.count.is_none_or(|count| count == line.count)
+    }
+}
+
+/// Returns the word of a severity in scenario files.
+pub(super) fn severity_word(severity: Severity) -> &'static str {
+    match severity {
+        Severity::None => "none",
+        Severity::Warn => "warn",
+        Severity::Derate => "derate",
+        Severity::Stop => "stop",
+    }
+}
+
+/// Returns the severity of a word.
+pub(super) fn severity_of(word: &str) -> Option<Severity> {
+    [Severity::None, Severity::Warn, Severity::Derate, Severity::Stop]
+        .into_iter()
+        .find(|severity| severity_word(*severity) == word)
+}
+
+impl fmt::Display for Answer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{}", (number * 1e6).round() / 1e6),
+            Self::Word(word) => f.write_str(word),
+            Self::Pause(sound) => write!(f, "{sound} or none"),
+            Self::Line(None) => f.write_str("none"),
+            Self::Line(Some(line)) => {
+                write!(f, "{} ", severity_word(line.severity))?;
+                if let Some(code) = line.code {
+                    write!(f, "{code} ")?;
+                }
+                write!(f, "\"{}\"", line.texts.join("\" or \""))?;
+                if line.count > 1 { write!(f, " ({} of {})", line.position, line.count) } else { Ok(()) }
+            }
+        }
+    }
+}
+
+impl fmt::Display for Wanted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Range(low, high) => write!(f, "{low} to {high}"),
+            Self::Words(words) => f.write_str(&words.join(" or ")),
+            Self::Line(line) => {
+                let severity = line.severity.map(|severity| severity_word(severity).to_owned());
+                let code = line.code.map(|code| code.map_or("no code".into(), |code| code.to_string()));
+                let text = line.text.as_ref().map(|text| format!("\"{text}\""));
+                let count = line.count.map(|count| format!("(1 of {count})"));
+                let parts: Vec<String> = [severity, code, text, count].into_iter().flatten().collect();
+                f.write_str(&parts.join(" "))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_value_is_a_word_and_never_zero() {
+        for (sample, word) in
+            [(Sample::Never, "never"), (Sample::Stale, "stale"), (Sample::Invalid, "invalid")]
+        {
+            let answer = Answer::of_sample(sample, Value::BatterySoc);
+            assert!(!Wanted::Number(0.0).fits(&answer));
+            assert!(!Wanted::Range(-1e9, 1e9).fits(&answer));
+            assert!(Wanted::Words(vec![word.into()]).fits(&answer));
+        }
+    }
+
+    #[test]
+    fn values_are_numbers_in_everyday_units_or_words() {
+        let answer = |value, counts| Answer::of_sample(Sample::Value(counts), value);
+        assert_eq!(answer(Value::BatterySoc, 453), Answer::Number(45.3));
+        assert_eq!(answer(Value::ContactorMain, 2), Answer::word("welded"));
+        assert_eq!(answer(Value::VehicleReady, 1), Answer::word("yes"));
+        assert_eq!(answer(Value::ChargeState, 0), Answer::word("not charging"));
+        assert!(Wanted::Number(45.3).fits(&answer(Value::BatterySoc, 453)));
+        assert!(!Wanted::Number(45.3).fits(&answer(Value::BatterySoc, 454)));
+        assert!(Wanted::Range(45.0, 45.3).fits(&answer(Value::BatterySoc, 453)));
+        assert!(!Wanted::Range(45.0, 45.2).fits(&answer(Value::BatterySoc, 453)));
+    }
+
+    #[test]
+    fn a_line_must_have_all_that_is_asked_and_may_have_more() {
+        let line = FoundLine {
+            texts: vec!["a".into(), "b".into()],
+            code: Some(24),
+            severity: Severity::Stop,
+            position: 1,
+            count: 2,
+        };
+        let found = Answer::Line(Some(line));
+        let fits = |wanted| Wanted::Line(wanted).fits(&found);
+        assert!(fits(WantedLine { text: Some("b".into()), ..WantedLine::default() }));
+        assert!(!fits(WantedLine { text: Some("c".into()), ..WantedLine::default() }));
+        assert!(fits(WantedLine { code: Some(Some(24)), ..WantedLine::default() }));
+        assert!(!fits(WantedLine { code: Some(None), ..WantedLine::default() }));
+        assert!(!fits(WantedLine { severity: Some(Severity::Warn), ..WantedLine::default() }));
+        assert!(!Wanted::Words(vec!["none".into()]).fits(&found));
+        assert!(Wanted::Words(vec!["none".into()]).fits(&Answer::Line(None)));
+    }
+}

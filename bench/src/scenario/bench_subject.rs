@@ -1,0 +1,223 @@
+//! The real firmware on the bench, with the virtual vehicle on its bus.
+//!
+//! What is shown comes from the PC link's records, what is sent from the bus, the sound from the buzzer's pin, pictures
+//! from the panel's memory. Nothing is asked of the firmware that it does not tell a person or a computer anyway.
+
+use super::answer::{FoundLine, severity_word};
+use super::host_subject::{Transmitted, gear, page};
+use super::name::{line_texts, snake};
+use super::sound::{self, LONGEST_PAUSE_MS};
+use super::{Action, Answer, BusFault, Name, Place, Subject};
+use crate::chips::picture::Picture;
+use crate::rig::{Rig, RigOptions};
+use crate::time::Nanos;
+use anyhow::{Context, Result};
+use cluster::Button;
+use protocol_core::link::{Screen, ScreenLine, text_id};
+use protocol_core::model::{Gear, Severity};
+use std::path::{Path, PathBuf};
+use virtual_vehicle::{Kind, Options, VirtualVehicle};
+
+/// Where pictures are and what becomes of them.
+#[derive(Clone, Debug)]
+pub struct Pictures {
+    /// The golden ones.
+    pub golden: PathBuf,
+    /// Where one that differs is written to.
+    pub actual: PathBuf,
+    /// What is shown becomes the golden picture.
+    pub bless: bool,
+}
+
+/// After this long without a pixel a picture is complete.
+const QUIET: Nanos = Nanos::from_millis(5);
+
+/// The firmware beside a virtual vehicle.
+pub struct BenchSubject {
+    rig: Rig,
+    kind: Kind,
+    pictures: Pictures,
+    sent: Transmitted,
+    /// Number of the first frame on the bus that has not been looked at.
+    heard: usize,
+    /// Golden pictures read or written in this run, by file.
+    golden: Vec<(String, Option<Picture>)>,
+}
+
+impl BenchSubject {
+    /// Switches a vehicle and a cluster with the image in `elf` on.
+    ///
+    /// # Errors
+    /// If the file is not an image for the board.
+    pub fn new(elf: &Path, kind: Kind, options: Options, pictures: Pictures) -> Result<Self> {
+        let usual = RigOptions::default();
+        let bitrate = super::name::vehicle(kind).map_or(usual.bitrate, |vehicle| vehicle.bitrate);
+        let mut rig = Rig::new(elf, &RigOptions { bitrate, ..usual })?;
+        rig.drive(VirtualVehicle::new(kind, options));
+        Ok(Self { rig, kind, pictures, sent: Transmitted::default(), heard: 0, golden: Vec::new() })
+    }
+
+    /// The bench, to look at more than a scenario can name.
+    pub fn rig(&self) -> &Rig {
+        &self.rig
+    }
+
+    fn line(&self, line: ScreenLine) -> FoundLine {
+        let texts: Vec<String> = line_texts(self.kind)
+            .into_iter()
+            .filter(|en| text_id(en) == line.text)
+            .map(str::to_owned)
+            .collect();
+        let texts = if texts.is_empty() { vec![format!("text {}", line.text)] } else { texts };
+        let severity = Severity::from_model(line.severity.into());
+        FoundLine { texts, code: line.code, severity, position: line.position, count: line.count }
+    }
+
+    /// Compares the panel with a golden picture.
+    fn picture(&mut self, file: &str) -> Answer {
+        let now = self.rig.now();
+        let Some(shown) = self.rig.board().panel().visible(now) else { return Answer::word("a dark panel") };
+        if !self.golden.iter().any(|(name, _)| name == file) {
+            let drawing = self.rig.board().panel().last_write().is_some_and(|at| now.since(at) < QUIET);
+            if self.pictures.bless && drawing {
+                return Answer::word("half a picture");
+            }
+            let path = self.pictures.golden.join(file);
+            let golden = if self.pictures.bless {
+                write_picture(&path, &shown).ok().map(|()| shown.clone())
+            } else {
+                Picture::read_png(&path).ok()
+            };
+            self.golden.push((file.to_owned(), golden));
+        }
+        let golden =
+            self.golden.iter().find(|(name, _)| name == file).and_then(|(_, golden)| golden.as_ref());
+        match golden {
+            Some(golden) if golden.rgb == shown.rgb => Answer::word(file),
+            Some(golden) => {
+                let pixels = golden.rgb.chunks(3).zip(shown.rgb.chunks(3));
+                let differing = pixels.filter(|(golden, shown)| golden != shown).count();
+                let actual = self.pictures.actual.join(file);
+                let _ = write_picture(&actual, &shown);
+                Answer::Word(format!("{differing} other pixels, see {}", actual.display()))
+            }
+            None => Answer::word("a picture that is not there to compare with: --bless takes what is shown"),
+        }
+    }
+}
+
+fn write_picture(path: &Path, picture: &Picture) -> Result<()> {
+    let folder = path.parent().unwrap_or(path);
+    std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+    std::fs::write(path, picture.png()?).with_context(|| format!("cannot write {}", path.display()))
+}
+
+impl Subject for BenchSubject {
+    fn place(&self) -> Place {
+        Place::Firmware
+    }
+
+    fn advance_to(&mut self, ms: u64) -> Result<()> {
+        self.rig.run_for(Nanos::from_millis(ms).since(self.rig.now()))?;
+        let (heard, next) = self.rig.heard_since(self.heard);
+        self.heard = next;
+        for heard in heard.iter().filter(|heard| heard.by_cluster) {
+            if let Some(frame) = heard.frame.data_frame() {
+                self.sent.push(heard.at.as_micros() / 1_000, frame);
+            }
+        }
+        Ok(())
+    }
+
+    fn act(&mut self, action: &Action) -> Result<()> {
+        match action {
+            Action::Set { path, setting } => {
+                if let Some(vehicle) = self.rig.vehicle_mut() {
+                    vehicle.set(path, *setting)?;
+                }
+            }
+            Action::Hold(button, down) => {
+                let index = match button {
+                    Button::Next => 0,
+                    Button::Menu => 1,
+                };
+                self.rig.hold_button(index, *down);
+            }
+            Action::Fault(fault, on) => match fault {
+                BusFault::Short => self.rig.short_bus(*on),
+                BusFault::Babble => self.rig.babble(*on),
+                BusFault::Garble => self.rig.garble(*on),
+                BusFault::Unplug => self.rig.unplug(*on),
+            },
+            Action::Send(frame) => self.rig.send(*frame),
+        }
+        Ok(())
+    }
+
+    fn look(&mut self, name: &Name) -> Option<Answer> {
+        let shown = |answer: &dyn Fn(Screen) -> Answer| {
+            self.rig.screen().map_or_else(|| Answer::word("never"), answer)
+        };
+        Some(match name {
+            Name::Speed => shown(&|screen| Answer::of_number(screen.speed_kmh)),
+            Name::Gear => shown(&|screen| gear(Gear::from_model(screen.gear.into()))),
+            Name::Odometer => shown(&|screen| Answer::Number(f64::from(screen.odometer_hectometres) / 10.0)),
+            Name::Line => shown(&|screen| Answer::Line(screen.line.map(|line| self.line(line)))),
+            Name::Severity => shown(&|screen| {
+                let severity = screen.line.map_or(0, |line| line.severity);
+                Answer::word(severity_word(Severity::from_model(severity.into())))
+            }),
+            Name::Lamp(lamp) => shown(&|screen| {
+                Answer::word(if screen.telltales >> *lamp as u8 & 1 != 0 { "on" } else { "off" })
+            }),
+            Name::Value(value) => Answer::of_sample(self.rig.value(*value), *value),
+            Name::Sent(signal) => self.sent.answer(signal, self.rig.now().as_micros() / 1_000),
+            Name::Truth(path) => {
+                let truth = self.rig.vehicle().and_then(|vehicle| vehicle.readout(path));
+                truth.map_or_else(|| Answer::word("never"), Answer::Number)
+            }
+            Name::Health(field) => health(self.rig.health(), field),
+            Name::Sound => self.sound_at(self.rig.now().as_micros() / 1_000),
+            Name::Countdown => {
+                shown(&|screen| screen.hv_off_s.map_or(Answer::word("none"), |s| Answer::Number(s.into())))
+            }
+            Name::Limp => shown(&|screen| match (screen.limps, screen.limp_deciamps) {
+                (false, _) => Answer::word("none"),
+                (true, None) => Answer::word("unknown"),
+                (true, Some(deciamps)) => Answer::Number(f64::from(deciamps) / 10.0),
+            }),
+            Name::Page => shown(&|screen| page(screen.page)),
+            Name::Picture => return None,
+        })
+    }
+
+    fn picture(&mut self, file: &str) -> Option<Answer> {
+        Some(Self::picture(self, file))
+    }
+
+    fn sound_at(&self, ms: u64) -> Answer {
+        sound::sound_at(self.rig.board().buzzer(), Nanos::from_millis(ms))
+    }
+
+    fn hindsight_ms(&self) -> u64 {
+        LONGEST_PAUSE_MS
+    }
+}
+
+/// Returns a field of the health record; an enumeration is told by its word.
+fn health(health: protocol_core::link::Health, field: &str) -> Answer {
+    match serde_json::to_value(health).ok().and_then(|record| record.get(field).cloned()) {
+        Some(serde_json::Value::Number(number)) => Answer::Number(number.as_f64().unwrap_or_default()),
+        Some(serde_json::Value::String(variant)) => Answer::Word(snake(Variant(&variant))),
+        _ => Answer::word("never"),
+    }
+}
+
+/// The name of a variant that prints as it is.
+struct Variant<'v>(&'v str);
+
+impl std::fmt::Debug for Variant<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.0)
+    }
+}

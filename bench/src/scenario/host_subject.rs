@@ -1,0 +1,251 @@
+//! The cluster's logic on the host: the virtual vehicle's frames go straight in, every 10 ms the cluster is ticked.
+//!
+//! Does what the firmware's tick does, without a chip: it finds out which vehicle it is, takes its own wires from the
+//! vehicle's body, and sends. There is no bus: a fault of the bus is nothing but silence, and frames take no time.
+
+use super::answer::{FoundLine, severity_word};
+use super::name::{PAGES, Signal, snake};
+use super::{Action, Answer, BusFault, Name, Place, Subject};
+use anyhow::Result;
+use cluster::detect::Detector;
+use cluster::view::Line;
+use cluster::{Button, Buttons, Cluster, Doors, Inputs, Key, Lights, Sound, View};
+use protocol_core::generated::VEHICLES;
+use protocol_core::link::Sample;
+use protocol_core::model::{Gear, Shown};
+use protocol_core::vehicle::NO_VEHICLE;
+use protocol_core::{CanFrame, Millis};
+use virtual_vehicle::{Kind, Options, STEP_MS, VirtualVehicle, World};
+
+/// A supply below this is not measured, in volts.
+const SUPPLY_MEASURED: f64 = 3.0;
+
+/// The cluster's logic beside a virtual vehicle.
+pub struct HostSubject {
+    vehicle: VirtualVehicle,
+    cluster: Cluster,
+    detector: Detector,
+    buttons: Buttons,
+    faults: Vec<BusFault>,
+    sent: Transmitted,
+    /// When which sound began.
+    sounds: Vec<(u64, Option<Sound>)>,
+    now_ms: u64,
+}
+
+impl HostSubject {
+    /// Switches a vehicle and its cluster on.
+    pub fn new(kind: Kind, options: Options) -> Self {
+        Self {
+            vehicle: VirtualVehicle::new(kind, options),
+            cluster: Cluster::new(&NO_VEHICLE),
+            detector: Detector::new(VEHICLES),
+            buttons: Buttons::default(),
+            faults: Vec::new(),
+            sent: Transmitted::default(),
+            sounds: Vec::new(),
+            now_ms: 0,
+        }
+    }
+
+    fn now(&self) -> Millis {
+        Millis(self.now_ms)
+    }
+
+    /// Takes a frame, as `recognition` of the firmware does.
+    fn hear(&mut self, frame: &CanFrame) {
+        let now = self.now();
+        // All three vehicles have the same bit rate; a subject is built for one of them.
+        let bitrate = super::name::vehicle(self.vehicle.kind()).map_or(0, |vehicle| vehicle.bitrate);
+        let is_known = self.detector.found().is_some();
+        if let Some(found) = self.detector.hear(frame, bitrate, now) {
+            self.cluster.recognise(found.vehicle);
+            for (frame, at) in self.detector.take_kept() {
+                self.cluster.receive(&frame, at);
+            }
+        } else if is_known {
+            self.cluster.receive(frame, now);
+        }
+    }
+
+    fn step(&mut self) {
+        self.vehicle.advance();
+        self.now_ms += STEP_MS;
+        let is_silent = !self.faults.is_empty();
+        for sent in self.vehicle.take_frames() {
+            if !is_silent {
+                self.hear(&sent.frame);
+            }
+        }
+        let now = self.now();
+        self.cluster.tick(&inputs(self.vehicle.world(), self.buttons), now);
+        // At most one frame per row of the vehicle's table is due.
+        while let Some(frame) = self.cluster.transmit(now) {
+            if !is_silent {
+                self.vehicle.receive(&frame);
+                self.sent.push(self.now_ms, frame);
+            }
+        }
+        let sound = self.cluster.chime(now).map(|chime| chime.sound);
+        if self.sounds.last().map(|(_, sound)| *sound) != Some(sound) {
+            self.sounds.push((self.now_ms, sound));
+        }
+    }
+
+    fn view(&self) -> View {
+        self.cluster.view(self.now())
+    }
+}
+
+impl Subject for HostSubject {
+    fn place(&self) -> Place {
+        Place::Host
+    }
+
+    fn advance_to(&mut self, ms: u64) -> Result<()> {
+        while self.now_ms + STEP_MS <= ms {
+            self.step();
+        }
+        Ok(())
+    }
+
+    fn act(&mut self, action: &Action) -> Result<()> {
+        match action {
+            Action::Set { path, setting } => self.vehicle.set(path, *setting)?,
+            Action::Hold(Button::Next, down) => self.buttons.next = *down,
+            Action::Hold(Button::Menu, down) => self.buttons.menu = *down,
+            Action::Fault(fault, on) => {
+                self.faults.retain(|other| other != fault);
+                self.faults.extend(on.then_some(*fault));
+            }
+            Action::Send(frame) => {
+                if let Some(frame) = frame.data_frame().filter(|_| self.faults.is_empty()) {
+                    self.hear(&frame);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn look(&mut self, name: &Name) -> Option<Answer> {
+        let view = self.view();
+        Some(match name {
+            Name::Speed => Answer::of_number(sample(view.speed_kmh)),
+            Name::Gear => gear(view.gear),
+            Name::Odometer => Answer::Number(f64::from(view.odometer_hectometres) / 10.0),
+            Name::Line => Answer::Line(view.line.map(found)),
+            Name::Severity => {
+                Answer::word(severity_word(view.line.map(|line| line.severity).unwrap_or_default()))
+            }
+            Name::Lamp(lamp) => Answer::word(if view.telltales.is_lit(*lamp) { "on" } else { "off" }),
+            Name::Countdown => view.hv_off_s.map_or(Answer::word("none"), |s| Answer::Number(s.into())),
+            Name::Limp => match view.limp.map(|limp| limp.limit_deciamps) {
+                None => Answer::word("none"),
+                Some(None) => Answer::word("unknown"),
+                Some(Some(deciamps)) => Answer::Number(f64::from(deciamps) / 10.0),
+            },
+            Name::Page => page(view.page.number()),
+            Name::Value(value) => Answer::of_sample(self.cluster.shown(*value, self.now()).into(), *value),
+            Name::Sent(signal) => self.sent.answer(signal, self.now_ms),
+            Name::Truth(path) => {
+                self.vehicle.readout(path).map_or_else(|| Answer::word("never"), Answer::Number)
+            }
+            Name::Sound => self.sound_at(self.now_ms),
+            Name::Health(_) | Name::Picture => return None,
+        })
+    }
+
+    fn sound_at(&self, ms: u64) -> Answer {
+        let sound = self.sounds.iter().rev().find(|(at, _)| *at <= ms).and_then(|(_, sound)| *sound);
+        Answer::Word(sound.map_or_else(|| "none".into(), snake))
+    }
+
+    fn hindsight_ms(&self) -> u64 {
+        0
+    }
+}
+
+/// The last frame of each message that the cluster has sent.
+#[derive(Default)]
+pub(super) struct Transmitted {
+    last: Vec<(u64, CanFrame)>,
+}
+
+impl Transmitted {
+    /// Cycles without a frame after which its signals are stale.
+    const CYCLES: u64 = 3;
+
+    pub(super) fn push(&mut self, at_ms: u64, frame: CanFrame) {
+        self.last.retain(|(_, other)| other.id != frame.id);
+        self.last.push((at_ms, frame));
+    }
+
+    /// Returns what was last sent of a signal.
+    pub(super) fn answer(&self, signal: &Signal, now_ms: u64) -> Answer {
+        let message = signal.message;
+        let Some((at_ms, frame)) = self.last.iter().find(|(_, frame)| frame.id == message.id) else {
+            return Answer::word("never");
+        };
+        if now_ms.saturating_sub(*at_ms) > Self::CYCLES * u64::from(message.cycle_ms.max(10)) {
+            return Answer::word("stale");
+        }
+        let info = &message.signals[signal.index];
+        match (message.get)(signal.index, *frame.padded()) {
+            None | Some((_, None)) => Answer::word("invalid"),
+            Some((raw, Some(counts))) => match info.word(raw) {
+                Some(word) => Answer::word(word),
+                None => Answer::Number(counts as f64 / f64::from(info.scale.den.max(1))),
+            },
+        }
+    }
+}
+
+pub(super) fn gear(gear: Option<Gear>) -> Answer {
+    Answer::Word(match gear {
+        None => "none".into(),
+        Some(Gear::Forward(number)) => number.to_string(),
+        Some(gear) => format!("{gear:?}"),
+    })
+}
+
+pub(super) fn page(number: u8) -> Answer {
+    Answer::word(PAGES[usize::from(number).min(PAGES.len() - 1)])
+}
+
+fn sample(shown: Shown<impl Into<i32>>) -> Sample {
+    shown.map(Into::into).into()
+}
+
+fn found(line: Line) -> FoundLine {
+    FoundLine {
+        texts: vec![line.text.en.to_owned()],
+        code: line.code,
+        severity: line.severity,
+        position: line.position,
+        count: line.count,
+    }
+}
+
+/// The cluster's own wires, as the board's pins bring them to the firmware.
+fn inputs(world: &World, buttons: Buttons) -> Inputs {
+    let air = |mpa: f64| (world.kind == Kind::Bus).then_some((mpa * 100.0).round() as u16);
+    Inputs {
+        key: Key::On,
+        doors: Doors { front: world.body.front_door, rear: world.body.rear_door, ..Doors::default() },
+        lights: Lights {
+            turn_left: world.body.turn_left,
+            turn_right: world.body.turn_right,
+            ..Lights::default()
+        },
+        seat_empty: world.driver.seat_empty,
+        hand_brake: world.driver.hand_brake,
+        smoke: world.body.smoke,
+        supply_decivolts: Some(world.supply.volts)
+            .filter(|volts| *volts >= SUPPLY_MEASURED)
+            .map(|volts| (volts * 10.0).round() as u16),
+        air_front_centimpa: air(world.air.front_mpa),
+        air_rear_centimpa: air(world.air.rear_mpa),
+        buttons,
+        ..Inputs::default()
+    }
+}
