@@ -36,5 +36,5 @@ pub fn is_ready() -> bool {
 }
 
 fn imports_witnesses(python: &std::path::Path) -> bool {
-    workspace::capture(Command::new(python).args(["-c", "import cantools, can"])).is_ok()
+    workspace::capture(Command::new(python).args(["-c", "import cantools, can, serial"])).is_ok()
 }

@@ -1,26 +1,55 @@
 //! Drives the real firmware on the virtual bench.
 
 use crate::vehicles::Tables;
-use crate::{firmware, workspace};
+use crate::{firmware, vehicle, workspace};
 use anyhow::{Context, Result};
+use bench::join::Members;
+use bench::join::adapter::Bridge;
+use bench::join::recorder::Recorder;
 use bench::log::Log;
 use bench::rig::{Rig, RigOptions};
 use bench::time::Nanos;
 use clap::Args;
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
+use virtual_vehicle::Kind;
+
+/// Virtual time between two looks at the wall clock.
+const SLICE: Nanos = Nanos::from_millis(10);
 
 /// What to drive and how to show it.
-#[derive(Args, Clone, Debug)]
+#[derive(Args, Clone, Debug, Default)]
 pub struct Options {
-    #[command(flatten)]
-    build: firmware::Options,
-    /// Recording to play on the bus, in a loop.
-    #[arg(long, default_value = "vehicles/bus/captures/city.log")]
-    log: PathBuf,
+    /// Panel controller on the TFT module.
+    #[arg(long, value_enum, default_value_t)]
+    panel: firmware::Panel,
+    /// Crystal on the MCP2515 module.
+    #[arg(long, value_enum, default_value_t, value_name = "MHZ")]
+    crystal: firmware::Crystal,
+    /// Vehicle around the cluster: bus, jiulong or c5ev.
+    #[arg(long, value_name = "NAME", default_value = "bus")]
+    vehicle: String,
+    /// Sets a control of the vehicle before the start, as often as you like: `--set driver.gear=D`; `cargo xtask vehicle
+    /// --list` shows all.
+    #[arg(long, value_name = "PATH=VALUE")]
+    set: Vec<String>,
+    /// Plays this recording in a loop in place of a vehicle.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["vehicle", "set"])]
+    log: Option<PathBuf>,
     /// Runs this ELF in place of building the firmware.
     #[arg(long)]
     elf: Option<PathBuf>,
+    /// Opens a terminal on which other tools join the bus: python-can, slcand, SavvyCAN.
+    #[arg(long)]
+    slcan: bool,
+    /// Joins the bus with a CAN interface of Linux: vcan0, or can0 of an adapter.
+    #[arg(long, value_name = "INTERFACE")]
+    can: Option<String>,
+    /// Writes every frame on the bus to this candump log.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Serves no page: runs for `--seconds` and ends.
     #[arg(long)]
     headless: bool,
@@ -38,28 +67,62 @@ pub struct Options {
 /// Builds the firmware, starts it on the bench and shows it.
 ///
 /// # Errors
-/// If the log or the ELF is wrong, the build fails, or the firmware does what the bench does not model.
+/// If the log or the ELF is wrong, the build fails, a tool cannot join the bus, or the firmware does what the bench does
+/// not model.
 pub fn run(options: &Options) -> Result<()> {
-    let log = Log::read_file(&from_root(&options.log))?;
+    let log = options.log.as_ref().map(|path| Log::read_file(&from_root(path))).transpose()?;
+    let kind = match log {
+        Some(_) => None,
+        None => Some(vehicle::named(&options.vehicle)?),
+    };
+    if let Some(kind) = kind {
+        // Said before the firmware is built.
+        vehicle::make(kind, &options.set)?;
+    }
     let elf = match &options.elf {
         Some(elf) => elf.clone(),
-        None => firmware::build(&options.build)?.elf,
+        None => {
+            let (panel, crystal) = (options.panel, options.crystal);
+            firmware::build(&firmware::Options { panel, crystal, vehicle: None })?.elf
+        }
     };
-    let crystal_hz = match options.build.crystal {
-        firmware::Crystal::Mhz8 => 8_000_000,
-        firmware::Crystal::Mhz16 => 16_000_000,
+    let rig_options = RigOptions {
+        panel: panel(options.panel),
+        crystal_hz: match options.crystal {
+            firmware::Crystal::Mhz8 => 8_000_000,
+            firmware::Crystal::Mhz16 => 16_000_000,
+        },
+        bitrate: bitrate(kind, log.as_ref()),
     };
-    // A recording does not tell its bit rate, the vehicle in it does.
-    let bitrate =
-        Tables::of_log(&log, None).map_or(RigOptions::default().bitrate, |tables| tables.vehicle.bitrate);
-    let rig_options = RigOptions { panel: panel(options.build.panel), crystal_hz, bitrate };
-    if !options.headless {
-        return bench::page::serve(options.port, move || start(&elf, &rig_options, &log));
+    let (members, notes) = members(options, rig_options.bitrate)?;
+    let recording = options.log.as_ref().map(|path| path.display().to_string());
+    let (first, set) = (kind, options.set.clone());
+    let page_elf = elf.clone();
+    let make = move |kind: Option<Kind>| -> Result<Rig> {
+        let bitrate = bitrate(kind, log.as_ref());
+        let mut rig = Rig::new(&elf, &RigOptions { bitrate, ..rig_options })?;
+        match (kind, &log) {
+            (Some(kind), _) => {
+                // What is set was meant for the vehicle that was asked for, not for another one that the page starts.
+                let set = if first == Some(kind) { &set[..] } else { &[] };
+                rig.drive(vehicle::make(kind, set)?);
+            }
+            (None, Some(log)) => rig.replay(log, true),
+            (None, None) => {}
+        }
+        rig.host(&members);
+        Ok(rig)
+    };
+    for note in &notes {
+        println!("{note}");
     }
-    let mut rig = start(&elf, &rig_options, &log)?;
-    let started = Instant::now();
-    rig.run_for(Nanos((options.seconds * 1e9) as u64))?;
-    let wall_seconds = started.elapsed().as_secs_f64();
+    if !options.headless {
+        let start =
+            bench::page::Start { port: options.port, vehicle: kind, recording, notes, elf: Some(page_elf) };
+        return bench::page::serve(start, make);
+    }
+    let mut rig = make(kind)?;
+    let wall_seconds = drive(&mut rig, options)?;
     if let Some(path) = &options.screenshot {
         std::fs::write(path, rig.picture_png())
             .with_context(|| format!("cannot write {}", path.display()))?;
@@ -74,20 +137,83 @@ pub fn run(options: &Options) -> Result<()> {
 /// Like [`run`].
 pub fn headless_for_ci(screenshot: &Path) -> Result<()> {
     run(&Options {
-        build: firmware::Options::default(),
-        log: "vehicles/bus/captures/city.log".into(),
-        elf: None,
+        log: Some("vehicles/bus/captures/city.log".into()),
         headless: true,
         seconds: 20.0,
         screenshot: Some(screenshot.to_owned()),
-        port: 0,
+        ..Options::default()
     })
 }
 
-fn start(elf: &Path, options: &RigOptions, log: &Log) -> Result<Rig> {
-    let mut rig = Rig::new(elf, options)?;
-    rig.replay(log, true);
-    Ok(rig)
+/// Bit rate of the bus, in bit/s. A recording does not tell its own, the vehicle in it does.
+fn bitrate(kind: Option<Kind>, log: Option<&Log>) -> u32 {
+    let tables = match (kind, log) {
+        (Some(kind), _) => Tables::named(kind.name()).ok(),
+        (None, Some(log)) => Tables::of_log(log, None).ok(),
+        (None, None) => None,
+    };
+    tables.map_or(RigOptions::default().bitrate, |tables| tables.vehicle.bitrate)
+}
+
+/// The tools that were asked for, and lines that say how others join.
+fn members(options: &Options, bitrate: u32) -> Result<(Members, Vec<String>)> {
+    let (members, mut notes) = (Members::default(), Vec::new());
+    if let Some(path) = &options.record {
+        let file = File::create(path).with_context(|| format!("cannot write {}", path.display()))?;
+        members.add(Recorder::new(BufWriter::new(file)));
+        notes.push(format!("the bus is recorded in {}", path.display()));
+    }
+    if let Some(interface) = &options.can {
+        members.add(Bridge::new(interface, vehicle::socketcan(interface)?));
+        notes.push(format!(
+            "{interface} is on the bus: `candump {interface}` shows it, `cansend` and `canplayer` write to it"
+        ));
+    }
+    if options.slcan {
+        notes.extend(open_terminal(&members, bitrate)?);
+    }
+    Ok((members, notes))
+}
+
+#[cfg(unix)]
+fn open_terminal(members: &Members, bitrate: u32) -> Result<Vec<String>> {
+    use bench::join::pty::Pty;
+    use bench::join::slcan::Command;
+    use bench::join::terminal::Terminal;
+
+    let pty = Pty::open().context("no pseudo-terminal could be opened; is /dev/pts mounted?")?;
+    let path = pty.path().display().to_string();
+    let setup = Command::setup(bitrate).map_or(Vec::new(), |setup| setup.line());
+    let speed = String::from_utf8_lossy(&setup).trim().to_lowercase();
+    members.add(Terminal::new("slcan", pty));
+    Ok(vec![
+        format!("other tools join the bus at {path} (SLCAN, {bitrate} bit/s), for example:"),
+        format!("  python3 -m can.viewer -i slcan -c {path} -b {bitrate}"),
+        format!("  sudo slcand -o -c -{speed} {path} slcan0 && sudo ip link set slcan0 up && candump slcan0"),
+    ])
+}
+
+#[cfg(not(unix))]
+fn open_terminal(_: &Members, _: u32) -> Result<Vec<String>> {
+    anyhow::bail!(
+        "--slcan needs pseudo-terminals, which this system does not have; --record and --log work everywhere"
+    )
+}
+
+/// Runs for the seconds asked for: as fast as it can, or in real time if somebody outside listens. Returns the time that
+/// it took, in seconds.
+fn drive(rig: &mut Rig, options: &Options) -> Result<f64> {
+    let (started, end) = (Instant::now(), Nanos((options.seconds * 1e9) as u64));
+    if !options.slcan && options.can.is_none() {
+        rig.run_for(end)?;
+        return Ok(started.elapsed().as_secs_f64());
+    }
+    while rig.now() < end {
+        rig.run_for(SLICE)?;
+        let ahead = Duration::from_nanos(rig.now().0).saturating_sub(started.elapsed());
+        std::thread::sleep(ahead);
+    }
+    Ok(started.elapsed().as_secs_f64())
 }
 
 fn panel(panel: firmware::Panel) -> bench::rig::PanelKind {
@@ -97,7 +223,7 @@ fn panel(panel: firmware::Panel) -> bench::rig::PanelKind {
     }
 }
 
-/// A path that is not there is looked for in the repository, so that the default works from any folder.
+/// A path that is not there is looked for in the repository, so that the README's examples work from any folder.
 fn from_root(path: &Path) -> PathBuf {
     if path.exists() { path.to_owned() } else { workspace::root().join(path) }
 }
