@@ -8,9 +8,12 @@
 
 pub mod can;
 pub mod chips;
+pub mod join;
 pub mod log;
 pub mod page;
 pub mod pins;
+pub mod recent;
 pub mod rig;
 pub mod rp2040;
+pub mod scenario;
 pub mod time;

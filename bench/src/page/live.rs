@@ -1,0 +1,203 @@
+//! What every page is told a few times a second: time, settings, truths, the bus, the cluster's own words.
+//!
+//! Only reads the bench. Text of the message line is found by its number among the texts that the firmware has.
+
+use super::catalog;
+use super::pace::Pace;
+use super::recording::Length;
+use super::scenes::Story;
+use super::trace::BusUpdate;
+use super::wires::Wires;
+use crate::can::ErrorState;
+use crate::chips::panel::BACKLIGHT_FULL;
+use crate::rig::Rig;
+use crate::time::Nanos;
+use cluster::telltale::Telltale;
+use cluster::texts;
+use protocol_core::generated::VEHICLES;
+use protocol_core::link::{ScreenLine, text_id};
+use serde::Serialize;
+use std::time::Duration;
+use virtual_vehicle::Setting;
+
+/// Changes of the tone that are told at once: more of them cannot be heard.
+const TONES_MAX: usize = 32;
+
+/// The message line, in words.
+#[derive(Debug, Serialize)]
+struct Line {
+    zh: &'static str,
+    en: &'static str,
+    code: Option<u16>,
+    severity: u8,
+    position: u8,
+    count: u8,
+}
+
+/// A change of the buzzer's tone: milliseconds before now, Hz, duty from 0 to 1.
+#[derive(Debug, Serialize)]
+struct Tone(f64, u32, f64);
+
+/// What a page is told.
+#[derive(Debug, Serialize)]
+pub(super) struct State<'a> {
+    kind: &'static str,
+    bench: u64,
+    /// Virtual seconds since power-on.
+    seconds: f64,
+    paused: bool,
+    /// Wanted virtual seconds per second, 0 = as fast as possible.
+    factor: f64,
+    /// Virtual seconds per second of late.
+    speed: f64,
+    /// Virtual seconds that the engine makes of one second of its thread.
+    capability: f64,
+    /// Frames on the bus, received by the firmware, lost.
+    counts: [u64; 3],
+    /// Part of the time in which the bus was busy since the last update, 0 to 1.
+    load: f64,
+    /// Fault confinement of the cluster's controller, and its error counters.
+    controller: (&'static str, u16, u16),
+    /// Back-light, 0 to 1.
+    backlight: f64,
+    tones: Vec<Tone>,
+    settings: Vec<Setting>,
+    truths: Vec<f64>,
+    shown: Vec<(String, String)>,
+    lamps: Vec<(String, String)>,
+    line: Option<Line>,
+    bus: BusUpdate,
+    recording: Option<Length>,
+    /// A recording that has ended and may be fetched.
+    recorded: Option<Length>,
+    playing: Option<&'a Story>,
+    /// Why the bench stopped, if it did.
+    stopped: Option<&'a str>,
+}
+
+/// What was told last, where only the difference counts.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Told {
+    toned: Nanos,
+    at: Nanos,
+    busy: Nanos,
+}
+
+/// What the session knows beside the rig.
+pub(super) struct Around<'a> {
+    pub(super) bench: u64,
+    pub(super) wall: Duration,
+    pub(super) wires: &'a Wires,
+    pub(super) recording: Option<Length>,
+    pub(super) recorded: Option<Length>,
+    pub(super) playing: Option<&'a Story>,
+    pub(super) stopped: Option<&'a str>,
+    pub(super) bus: BusUpdate,
+}
+
+impl<'a> State<'a> {
+    pub(super) fn of(rig: &Rig, pace: &mut Pace, told: &mut Told, around: Around<'a>) -> Self {
+        let now = rig.now();
+        let board = rig.board();
+        let (bus, controller) = (board.bus(), board.mcp2515().node());
+        let counts = rig.counts();
+        let busy = bus.stats().busy;
+        let span = now.since(told.at).as_secs_f64();
+        let load = if span > 0.0 { (busy.since(told.busy).as_secs_f64() / span).min(1.0) } else { 0.0 };
+        let tones = tones(rig, told.toned);
+        *told = Told { toned: now, at: now, busy };
+        let errors = bus.counters(controller);
+        let vehicle = rig.vehicle();
+        let screen = rig.screen();
+        Self {
+            kind: "state",
+            bench: around.bench,
+            seconds: now.as_secs_f64(),
+            paused: pace.is_paused(),
+            factor: pace.factor(),
+            speed: pace.measure(now, around.wall),
+            capability: pace.capability(),
+            counts: [counts.on_bus, counts.received, counts.lost],
+            load,
+            controller: (state_name(bus.state(controller)), errors.transmit, errors.receive),
+            backlight: f64::from(board.panel().backlight()) / f64::from(BACKLIGHT_FULL),
+            tones,
+            settings: vehicle
+                .into_iter()
+                .flat_map(catalog::settings)
+                .chain(around.wires.settings())
+                .collect(),
+            truths: vehicle
+                .map(|vehicle| vehicle.readouts().iter().map(|readout| readout.value).collect())
+                .unwrap_or_default(),
+            shown: rig.shown_lines(),
+            lamps: screen.map(|screen| lamps(screen.telltales)).unwrap_or_default(),
+            line: screen.and_then(|screen| screen.line).map(|line| line_of(&line)),
+            bus: around.bus,
+            recording: around.recording,
+            recorded: around.recorded,
+            playing: around.playing,
+            stopped: around.stopped,
+        }
+    }
+}
+
+/// Returns the changes of the tone behind `since`; without one, none.
+fn tones(rig: &Rig, since: Nanos) -> Vec<Tone> {
+    let changes = rig.board().buzzer();
+    let new = changes.iter().rev().take_while(|change| change.at > since).take(TONES_MAX).count();
+    changes[changes.len() - new..]
+        .iter()
+        .map(|change| {
+            let before = rig.now().since(change.at).as_secs_f64() * 1e3;
+            Tone(before, change.frequency_hz, f64::from(change.duty) / 65_536.0)
+        })
+        .collect()
+}
+
+fn lamps(lit: u32) -> Vec<(String, String)> {
+    let lamps = Telltale::ALL.iter().enumerate().filter(|(index, _)| lit >> index & 1 != 0);
+    lamps.map(|(_, lamp)| (format!("{lamp:?}"), format!("{:?}", lamp.colour()).to_lowercase())).collect()
+}
+
+fn line_of(line: &ScreenLine) -> Line {
+    let own = texts::ALL.iter().map(|text| (text.zh, text.en));
+    let faults = VEHICLES.iter().flat_map(|vehicle| vehicle.faults).map(|fault| (fault.zh, fault.en));
+    let words = own.chain(faults).find(|(_, en)| text_id(en) == line.text);
+    let (zh, en) = words.unwrap_or(("其他提示", "Another message"));
+    Line { zh, en, code: line.code, severity: line.severity, position: line.position, count: line.count }
+}
+
+const fn state_name(state: ErrorState) -> &'static str {
+    match state {
+        ErrorState::Active => "active",
+        ErrorState::Passive => "passive",
+        ErrorState::BusOff => "bus_off",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_lamp_has_words_on_the_page() {
+        let script = include_str!("page.js");
+        for lamp in Telltale::ALL {
+            assert!(script.contains(&format!("{lamp:?}: [")), "page.js has no words for {lamp:?}");
+        }
+    }
+
+    #[test]
+    fn the_message_line_is_found_by_its_number() {
+        let line =
+            ScreenLine { text: text_id("System fault level 3"), code: Some(7), ..ScreenLine::default() };
+        assert_eq!(line_of(&line).zh, "系统三级故障");
+        assert_eq!(line_of(&line).code, Some(7));
+    }
+
+    #[test]
+    fn lit_lamps_are_named_with_their_colour() {
+        assert_eq!(lamps(1 << Telltale::Ready as u8), [("Ready".to_owned(), "green".to_owned())]);
+    }
+}

@@ -1,0 +1,407 @@
+//! The page of `cargo xtask run` in a real browser, with the real firmware behind it.
+//!
+//! A headless Chromium presses, clicks and reads pixels as a person would. `BLESS=1` takes the picture of the page that
+//! the README shows (docs/images/page.png).
+
+mod browser;
+mod firmware;
+
+use bench::log::Log;
+use bench::page::{Server, Start};
+use bench::rig::{Rig, RigOptions};
+use browser::Browser;
+use protocol_core::generated::VEHICLES;
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use virtual_vehicle::{Kind, Options, VirtualVehicle};
+
+/// Two cores do not carry several engines and browsers at once.
+static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+
+/// A page with a person in front of it.
+struct Visit {
+    browser: Browser,
+    address: SocketAddr,
+    _server: Server,
+    _turn: MutexGuard<'static, ()>,
+}
+
+fn bench_with(vehicle: Option<Kind>) -> anyhow::Result<Rig> {
+    let Some(kind) = vehicle else {
+        let mut rig = Rig::new(&firmware::elf(), &RigOptions::default())?;
+        rig.replay(&Log::read_file(&root().join("vehicles/bus/captures/city.log"))?, true);
+        return Ok(rig);
+    };
+    let bitrate = VEHICLES.iter().find(|vehicle| vehicle.name == kind.name()).unwrap().bitrate;
+    let mut rig = Rig::new(&firmware::elf(), &RigOptions { bitrate, ..RigOptions::default() })?;
+    rig.drive(VirtualVehicle::new(kind, Options::default()));
+    Ok(rig)
+}
+
+fn root() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Opens the page; `None` where there is no Chromium, which is an error in CI.
+fn visit(width: u32, height: u32) -> Option<Visit> {
+    let turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
+    let Some(chromium) = browser::find() else {
+        assert!(std::env::var_os("CI").is_none(), "no Chromium: `apt-get install chromium`");
+        println!("skipped: no Chromium; `apt-get install chromium`, or name yours in CHROME");
+        return None;
+    };
+    let start = Start {
+        vehicle: Some(Kind::Bus),
+        recording: Some("city.log".into()),
+        elf: Some(firmware::elf()),
+        ..Start::default()
+    };
+    let server = Server::start(start, bench_with).unwrap();
+    let address = server.address();
+    let mut browser = Browser::open(&chromium, &format!("http://{address}/"), width, height);
+    browser.wait_for("document.body?.dataset.pictures > 3 && 'ready' in document.body.dataset");
+    Some(Visit { browser, address, _server: server, _turn: turn })
+}
+
+impl Visit {
+    /// What the vehicle is and does, by the page's own table.
+    fn truth(&mut self, path: &str) -> f64 {
+        self.browser.number(&format!("state.truths[catalog.truths.findIndex(t => t.path === '{path}')]"))
+    }
+
+    fn wait_ready(&mut self) {
+        self.browser.wait_for("document.querySelector('[data-lamp=Ready]')");
+    }
+
+    fn wait_speed(&mut self, condition: &str) {
+        let speed = "state.truths[catalog.truths.findIndex(t => t.path === 'vehicle.speed')]";
+        self.browser.wait_for(&format!("{speed} {condition}"));
+    }
+
+    /// A number for all pixels of the panel.
+    fn pixels(&mut self) -> f64 {
+        self.browser.number(
+            "(() => { const c = $('panel'); const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; \
+             let h = 0; for (let i = 0; i < d.length; i += 64) h = (h * 31 + d[i] + 7 * d[i + 1] + 13 * d[i + 2]) >>> 0; return h; })()",
+        )
+    }
+
+    /// How many pixels of the panel are not black.
+    fn lit(&mut self) -> f64 {
+        self.browser.number(
+            "(() => { const c = $('panel'); const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; \
+             let n = 0; for (let i = 0; i < d.length; i += 64) n += d[i] + d[i + 1] + d[i + 2] > 40; return n; })()",
+        )
+    }
+
+    /// Fetches a file of the server without the browser.
+    fn fetch(&self, path: &str) -> (u16, Vec<u8>) {
+        let mut stream = TcpStream::connect(self.address).unwrap();
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address).unwrap();
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).unwrap();
+        let head = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
+        let status = String::from_utf8_lossy(&answer[9..12]).parse().unwrap();
+        (status, answer.split_off(head + 4))
+    }
+
+    /// Leaves; nothing may have gone wrong, nothing may have been asked of another machine.
+    fn leave(mut self) {
+        let problems = self.browser.problems(&format!("http://{}", self.address));
+        assert!(problems.is_empty(), "{}", problems.join("\n"));
+    }
+}
+
+#[test]
+fn one_click_drives_and_the_panel_shows_it() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    assert!(visit.lit() > 1_000.0, "the panel is lit");
+    let before = visit.pixels();
+    visit.browser.click("[data-preset=drive]");
+    visit.wait_speed("> 20");
+    let after = visit.pixels();
+    assert_ne!(before, after, "another picture at another speed");
+    visit.wait_speed("> 49");
+    visit.browser.eval("$('size').value = '640px'; $('size').onchange()");
+    assert_eq!(visit.browser.number("$('panel').getBoundingClientRect().width"), 640.0);
+    visit.browser.click("#pause");
+    visit.browser.wait_for("state.paused");
+    let shown = visit.browser.text("shownCells.get('vehicle.speed').textContent");
+    let shown: f64 = shown.split(' ').next().unwrap().parse().unwrap();
+    let truth = visit.truth("vehicle.speed");
+    assert!((shown - truth).abs() < 3.0, "the cluster says {shown}, the vehicle does {truth}");
+    visit.leave();
+}
+
+#[test]
+fn the_keyboard_alone_drives_stops_and_pauses() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.key("d");
+    visit.browser.wait_for("$('gears').querySelector('[aria-checked=true]').textContent === 'D'");
+    visit.browser.key_down("ArrowUp");
+    visit.browser.wait_for("state.settings[rows.get('driver.accelerator').index] > 90");
+    visit.wait_speed("> 15");
+    visit.browser.key_up("ArrowUp");
+    visit.browser.wait_for("state.settings[rows.get('driver.accelerator').index] === 0");
+    visit.browser.key_down("ArrowDown");
+    visit.wait_speed("< 1");
+    visit.browser.key_up("ArrowDown");
+    visit.browser.wait_for("state.settings[rows.get('driver.brake').index] === 0");
+    visit.browser.key(" ");
+    visit.browser.wait_for("state.paused && $('pause').getAttribute('aria-pressed') === 'true'");
+    visit.browser.key("?");
+    visit.browser.wait_for("$('keys').open");
+    visit.browser.key("Escape");
+    visit.browser.wait_for("!$('keys').open");
+    visit.leave();
+}
+
+#[test]
+fn tab_reaches_everything_and_everything_has_a_name() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    let mut reached = Vec::new();
+    for _ in 0..400 {
+        visit.browser.key("Tab");
+        let name = visit.browser.text(
+            "(() => { const e = document.activeElement; if (e === document.body) return ''; \
+             const name = e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.[0]?.textContent.trim(); \
+             return (e.dataset.preset || e.id || e.dataset.path || e.tagName) + ': ' + (name || 'NAMELESS'); })()",
+        );
+        if name.is_empty() && reached.len() > 20 {
+            break;
+        }
+        reached.push(name);
+    }
+    assert!(!reached.iter().any(|name| name.contains("NAMELESS")), "{reached:#?}");
+    for wanted in ["pause:", "drive:", "accelerator:", "button0:", "filter:", "record:", "rows:"] {
+        assert!(
+            reached.iter().any(|name| name.starts_with(wanted)),
+            "Tab never reaches {wanted} {reached:#?}"
+        );
+    }
+    visit.leave();
+}
+
+#[test]
+fn an_injected_fault_turns_a_line_on_and_clearing_takes_it_away() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.wait_for("$('line').textContent === ''");
+    let before = visit.pixels();
+    visit.browser.eval("set('battery.hottest', 70)");
+    visit
+        .browser
+        .wait_for("$('line').textContent !== '' && document.querySelector('[data-lamp=BatteryFault]')");
+    assert_ne!(visit.pixels(), before, "the panel shows it");
+    visit.browser.wait_for("document.body.dataset.tones > 0");
+    visit.browser.click("#clear");
+    visit
+        .browser
+        .wait_for("state.settings[rows.get('battery.hottest').index] === null && $('clear').disabled");
+    visit.leave();
+}
+
+#[test]
+fn cut_bus_wires_are_named_by_the_cluster_and_mended() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.wait_for("!document.querySelector('[data-lamp=NoCommunication]')");
+    visit.browser.eval("document.querySelector('[data-group=links]').open = true");
+    visit.browser.click("[data-path='bus.unplug'] i");
+    visit.browser.wait_for("state.settings[rows.get('bus.unplug').index] === 1");
+    visit.browser.wait_for("document.querySelector('[data-lamp=NoCommunication]')");
+    visit.browser.click("[data-path='bus.unplug'] i");
+    visit.browser.wait_for("!document.querySelector('[data-lamp=NoCommunication]')");
+    visit.leave();
+}
+
+#[test]
+fn time_stands_still_steps_and_runs_faster() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.click("#pause");
+    visit.browser.wait_for("state.paused");
+    visit.browser.eval("new Promise(done => setTimeout(done, 300))");
+    let stood = visit.browser.number("state.seconds");
+    visit.browser.eval("new Promise(done => setTimeout(done, 400))");
+    assert_eq!(visit.browser.number("state.seconds"), stood);
+    visit.browser.click("#step");
+    visit.browser.wait_for(&format!("state.seconds > {stood}"));
+    assert!((visit.browser.number("state.seconds") - stood - 0.010).abs() < 0.001);
+    visit.browser.click("#faster");
+    visit.browser.wait_for("state.factor === 2 && $('factor').textContent === '2×'");
+    visit.browser.eval("for (let i = 0; i < 3; i++) changeFactor(1)");
+    visit.browser.wait_for("state.factor === 0");
+    visit.browser.click("#pause");
+    visit.browser.wait_for(&format!("state.seconds > {}", stood + 5.0));
+    assert!(visit.browser.number("state.capability") > 1.0, "faster than real time");
+    visit.leave();
+}
+
+#[test]
+fn both_languages_are_whole() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    let untranslated = "[...document.querySelectorAll('[data-t]')].filter(e => !e.textContent.trim()).length \
+                        + Object.values(WORDS).filter(w => !w[0] || !w[1]).length";
+    for (to, title, preset) in [("zh", "虚拟台架", "行驶 50 km/h"), ("en", "Virtual bench", "Drive 50 km/h")]
+    {
+        visit.browser.eval(&format!("speak('{to}')"));
+        assert_eq!(visit.browser.text("document.querySelector('h1').textContent"), title);
+        assert_eq!(visit.browser.text("document.querySelector('[data-preset=drive]').textContent"), preset);
+        assert_eq!(visit.browser.number(untranslated), 0.0);
+    }
+    visit.browser.key("l");
+    visit.browser.wait_for("document.documentElement.lang === 'zh-CN'");
+    visit.leave();
+}
+
+#[test]
+fn the_bus_is_listed_filtered_and_decoded() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.wait_for("document.querySelector('#frames [data-name=VCU1]')");
+    let all = visit.browser.number("$('frames').children.length");
+    assert!(all > 10.0, "{all} identifiers");
+    visit.browser.key("/");
+    for letter in ["v", "c", "u", "1"] {
+        visit.browser.key(letter);
+    }
+    visit.browser.wait_for("[...$('frames').children].every(row => row.dataset.name.includes('VCU1'))");
+    visit.browser.click("#frames [data-name=VCU1]");
+    visit
+        .browser
+        .wait_for("$('decoded').querySelector('[data-signal=vehicle_speed]')?.textContent.includes('km/h')");
+    visit.browser.click("[data-value=stream]");
+    visit.browser.wait_for("$('frames').children.length > 3");
+    visit.browser.click("#freeze");
+    let frozen = visit.browser.text("$('frames').innerText");
+    visit.browser.eval("new Promise(done => setTimeout(done, 400))");
+    assert_eq!(visit.browser.text("$('frames').innerText"), frozen);
+    visit.leave();
+}
+
+#[test]
+fn pictures_recordings_and_logs_are_kept() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    assert_eq!(visit.fetch("/recording.gif").0, 404, "nothing is recorded yet");
+    visit.browser.click("#record");
+    visit.browser.click("[data-preset=drive]");
+    visit.browser.wait_for("state.recording?.seconds > 2");
+    visit.browser.click("#record");
+    visit.browser.wait_for("!$('recorded').hidden");
+    let (status, log) = visit.fetch("/recording.log");
+    assert_eq!(status, 200);
+    let log = Log::parse("recording.log", std::str::from_utf8(&log).unwrap()).unwrap();
+    assert!(log.entries.len() > 200 && log.duration().as_secs_f64() > 1.9, "{} frames", log.entries.len());
+    let (_, gif) = visit.fetch("/recording.gif");
+    let mut reader = gif::DecodeOptions::new().read_info(&gif[..]).unwrap();
+    assert_eq!((reader.width(), reader.height()), (320, 240));
+    let mut hundredths = 0;
+    while let Some(frame) = reader.read_next_frame().unwrap() {
+        hundredths += u32::from(frame.delay);
+    }
+    assert!(hundredths > 190, "the GIF lasts {hundredths} hundredths of a second");
+    for scale in [1, 3] {
+        let (_, file) = visit.fetch(&format!("/screen/{scale}"));
+        let reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+        assert_eq!((reader.info().width, reader.info().height), (320 * scale, 240 * scale));
+    }
+    visit.leave();
+}
+
+#[test]
+fn every_vehicle_starts_and_drives_and_the_recording_plays() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    for name in ["jiulong", "c5ev", "bus"] {
+        visit.browser.click(&format!("#vehicles [data-value={name}]"));
+        visit.browser.wait_for(&format!("catalog.vehicle === '{name}' && state"));
+        visit.wait_ready();
+        visit.browser.click("[data-preset=drive]");
+        visit.wait_speed("> 10");
+    }
+    visit.browser.click("#vehicles [data-value=null]");
+    visit.browser.wait_for("catalog.vehicle === null && state?.shown.length > 5 && !$('no-vehicle').hidden");
+    visit.leave();
+}
+
+#[test]
+fn a_scenario_plays_and_its_verdict_comes_in() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.browser.eval("$('scenario').value = 'city_drive'");
+    visit.browser.click("#play");
+    visit.browser.wait_for("state?.playing?.name === 'city_drive' && !$('story').hidden");
+    visit.browser.eval("send({ do: 'speed', factor: 0 })");
+    visit.browser.wait_for("state.playing.checks?.length > 5 && $('story-list').querySelector('.passed')");
+    // At full speed the story may be over before anybody looks: the distance stays.
+    visit
+        .browser
+        .wait_for("state.truths[catalog.truths.findIndex(t => t.path === 'vehicle.distance')] > 0.1");
+    assert_eq!(visit.browser.number("state.playing.checks.filter(check => !check[3]).length"), 0.0);
+    visit.leave();
+}
+
+#[test]
+fn every_width_from_a_phone_up_fits_without_scrolling_sideways() {
+    let Some(mut visit) = visit(390, 844) else { return };
+    visit.wait_ready();
+    for (width, height) in
+        [(360, 740), (390, 844), (760, 900), (900, 700), (1280, 800), (1440, 900), (2560, 1440)]
+    {
+        visit.browser.resize(width, height);
+        visit.browser.eval("new Promise(done => setTimeout(done, 150))");
+        for tab in ["drive", "values", "faults", "bus"] {
+            visit.browser.eval(&format!("showTab('{tab}')"));
+            let over = visit.browser.number("document.documentElement.scrollWidth - innerWidth");
+            assert!(over <= 0.0, "{over} pixels too wide at {width} in {tab}");
+            let below = visit.browser.number("document.documentElement.scrollHeight - innerHeight");
+            assert!(width < 760 || below <= 0.0, "{below} pixels below the window's end at {width} in {tab}");
+            let panel = visit.browser.number("$('panel').getBoundingClientRect().width");
+            assert!((160.0..=f64::from(width)).contains(&panel), "the panel is {panel} wide at {width}");
+        }
+    }
+    visit.leave();
+}
+
+#[test]
+fn the_readmes_picture_of_the_page() {
+    if std::env::var_os("BLESS").is_none() {
+        return;
+    }
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.click("[data-preset=drive]");
+    visit.wait_speed("> 49");
+    visit.browser.click("#frames [data-name=VCU1]");
+    visit.browser.wait_for("!$('decoded').hidden");
+    let data = visit.browser.screenshot();
+    std::fs::write(root().join("docs/images/page.png"), base64(&data)).unwrap();
+}
+
+/// Reads Base64 with padding.
+fn base64(text: &str) -> Vec<u8> {
+    let digit = |byte: u8| match byte {
+        b'A'..=b'Z' => u32::from(byte - b'A'),
+        b'a'..=b'z' => u32::from(byte - b'a') + 26,
+        b'0'..=b'9' => u32::from(byte - b'0') + 52,
+        b'+' => 62,
+        _ => 63,
+    };
+    let padding = text.bytes().rev().take_while(|byte| *byte == b'=').count();
+    let mut bytes: Vec<u8> = text
+        .as_bytes()
+        .chunks_exact(4)
+        .flat_map(|four| {
+            let group = four.iter().fold(0, |group, byte| group << 6 | digit(*byte));
+            [(group >> 16) as u8, (group >> 8) as u8, group as u8]
+        })
+        .collect();
+    bytes.truncate(bytes.len() - padding);
+    bytes
+}
