@@ -2,8 +2,8 @@
 
 use crate::steps::{Outcome, Steps};
 use crate::{
-    codecs, codegen, dbc, figures, firmware, flash, layers, reference, rules, run, screens, test, toolchain,
-    workspace,
+    codecs, codegen, coverage, dbc, figures, firmware, flash, layers, reference, rules, run, scenario,
+    screens, test, toolchain, workspace,
 };
 use anyhow::{Context, Result, bail};
 use std::process::Command;
@@ -19,7 +19,7 @@ pub fn run() -> Result<()> {
     steps.run("layers", layers::run);
     steps.run("generated codecs are up to date", || codegen::run(&codegen::Options { check: true }));
     steps.run("reference pages are up to date", || reference::run(&reference::Options { check: true }));
-    steps.run("every rule of the cluster has a test", || rules::run(&rules::Options { check: true }));
+    steps.run("every rule of the documents is shown", || rules::run(&rules::Options { check: true }));
     steps.run("DBC files are clean", || dbc::run(&dbc::Options::default()));
     steps.run("clippy on the PC", || clippy(workspace::cargo(), &[], &["--all-targets"]));
     steps.run("clippy for the chip", || {
@@ -30,7 +30,11 @@ pub fn run() -> Result<()> {
     });
     steps.try_run("licences and advisories", deny);
     test::run_steps(&mut steps, &[]);
+    steps.try_run("every line of the cluster is tested", || {
+        coverage::measure(&coverage::Options { check: true })
+    });
     steps.run("screens", || screens::run(&screens::Options::default()));
+    steps.run("scenarios on the host and on the firmware", || scenario::run(&scenario::Options::default()));
     steps.run("size", || firmware::size(&firmware::Options::default()));
     steps.run("run --headless", || run::headless_for_ci(&crate::output_folder()?.join("drive.png")));
     steps.run("figures in the README", || figures::run(&figures::Options { check: true }));
@@ -43,24 +47,38 @@ fn clippy(mut cargo: Command, before: &[&str], after: &[&str]) -> Result<()> {
     workspace::run(cargo.args(["clippy", "--quiet"]).args(before).args(after).args(["--", "-D", "warnings"]))
 }
 
+/// A program that a test needs: its names, and Debian's package of it.
+struct Tool {
+    names: &'static [&'static str],
+    package: &'static str,
+}
+
+/// What the tests need beside Rust and Python.
+const TOOLS: &[Tool] = &[
+    Tool { names: &["qemu-system-arm"], package: "qemu-system-arm" },
+    Tool { names: &["chromium", "chromium-browser", "google-chrome"], package: "chromium" },
+];
+
 /// Installs what a fresh CI machine lacks; on a person's machine it only says what to type.
 fn install_tools() -> Result<()> {
-    if workspace::has("qemu-system-arm") {
-        println!("qemu-system-arm is here");
+    let is_missing = |tool: &&Tool| !tool.names.iter().copied().any(workspace::has);
+    let missing: Vec<&str> = TOOLS.iter().filter(is_missing).map(|tool| tool.package).collect();
+    if missing.is_empty() {
+        println!("{} are here", TOOLS.iter().map(|tool| tool.package).collect::<Vec<_>>().join(", "));
         return Ok(());
     }
+    let advice = format!("`apt-get install {}`", missing.join(" "));
     if !workspace::is_ci() {
-        println!("qemu-system-arm is missing, its tests will be skipped: `apt-get install qemu-system-arm`");
+        println!("the tests that need {} will be skipped: {advice}", missing.join(", "));
         return Ok(());
     }
     let apt = |arguments: &[&str]| {
-        workspace::run(
-            Command::new("apt-get").env("DEBIAN_FRONTEND", "noninteractive").arg("-qq").args(arguments),
-        )
+        let mut command = Command::new("apt-get");
+        workspace::run(command.env("DEBIAN_FRONTEND", "noninteractive").arg("-qq").args(arguments))
     };
-    apt(&["update"])
-        .and_then(|()| apt(&["install", "-y", "--no-install-recommends", "qemu-system-arm"]))
-        .context("cannot install qemu-system-arm; type `apt-get install qemu-system-arm`")
+    let install: Vec<&str> =
+        ["install", "-y", "--no-install-recommends"].into_iter().chain(missing).collect();
+    apt(&["update"]).and_then(|()| apt(&install)).with_context(|| format!("cannot install; type {advice}"))
 }
 
 fn deny() -> Result<Outcome> {

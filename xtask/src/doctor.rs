@@ -31,6 +31,11 @@ pub fn run() -> Result<()> {
         "second opinion on the emulated core: `apt-get install qemu-system-arm`",
     );
     line(
+        "chromium",
+        ["chromium", "chromium-browser", "google-chrome"].into_iter().find_map(version).as_deref(),
+        "for the test of the page: `apt-get install chromium`, or its path in CHROME",
+    );
+    line(
         "cargo-deny",
         version("cargo-deny").as_deref(),
         "licences and advisories: `cargo install --locked cargo-deny`",

@@ -40,10 +40,19 @@ const LAYERS: &[Layer] = &[
     },
     Layer { name: "vehicle-compiler", may_use: &["protocol-core"], never: HARDWARE },
     Layer { name: "fontgen", may_use: &[], never: HARDWARE },
-    Layer { name: "bench", may_use: &["protocol-core", "cluster"], never: HARDWARE },
+    Layer { name: "virtual-vehicle", may_use: &["protocol-core"], never: HARDWARE },
+    Layer { name: "bench", may_use: &["cluster", "protocol-core", "virtual-vehicle"], never: HARDWARE },
     Layer {
         name: "xtask",
-        may_use: &["bench", "cluster", "fontgen", "protocol-core", "ui", "vehicle-compiler"],
+        may_use: &[
+            "bench",
+            "cluster",
+            "fontgen",
+            "protocol-core",
+            "ui",
+            "vehicle-compiler",
+            "virtual-vehicle",
+        ],
         never: HARDWARE,
     },
 ];

@@ -1,12 +1,17 @@
 //! Prints the records that a cluster sends on its UART.
 //!
 //! Reads bytes from a serial device, a file or standard input, so that any tool that sets a port up can feed it.
-//! Noise is counted and skipped: the decoder finds the next record by itself.
+//! Noise is counted and skipped: the decoder finds the next record by itself. Faults are told again and again for whoever
+//! comes late; printed is each of them once, and again when something about it has changed.
 
+use crate::replay::word;
 use anyhow::{Context, Result};
 use clap::Args;
+use cluster::Source;
 use protocol_core::Value;
-use protocol_core::link::{Decoder, Health, Record, Sample, Screen};
+use protocol_core::link::{Decoder, Fault, Health, Record, Sample, Screen, Trip, Trips};
+use protocol_core::model::Severity;
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -38,6 +43,7 @@ pub fn run(options: &Options) -> Result<()> {
 
 fn print(source: &mut dyn Read, out: &mut dyn Write) -> std::io::Result<()> {
     let (mut decoder, mut damaged, mut bytes) = (Decoder::new(), 0_u64, [0; 256]);
+    let mut told = Told::default();
     loop {
         let length = source.read(&mut bytes)?;
         if length == 0 {
@@ -45,7 +51,7 @@ fn print(source: &mut dyn Read, out: &mut dyn Write) -> std::io::Result<()> {
         }
         for &byte in &bytes[..length] {
             match decoder.push(byte) {
-                Some(Ok(record)) => write_record(&record, out)?,
+                Some(Ok(record)) => write_record(&record, &mut told, out)?,
                 // The first one is what was cut off when listening began.
                 Some(Err(_)) => damaged += 1,
                 None => {}
@@ -59,7 +65,24 @@ fn print(source: &mut dyn Read, out: &mut dyn Write) -> std::io::Result<()> {
     Ok(())
 }
 
-fn write_record(record: &Record, out: &mut dyn Write) -> std::io::Result<()> {
+/// What was printed of faults.
+#[derive(Default)]
+struct Told {
+    /// How many were active.
+    active: Option<u8>,
+    /// By list, source and code: severity and how often it had come.
+    faults: BTreeMap<(bool, u8, Option<u16>), (u8, u16)>,
+}
+
+impl Told {
+    /// Returns whether there is something new about the fault.
+    fn is_new(&mut self, is_active: bool, fault: &Fault) -> bool {
+        let news = (fault.severity, fault.times);
+        self.faults.insert((is_active, fault.source, fault.code), news) != Some(news)
+    }
+}
+
+fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::io::Result<()> {
     match record {
         Record::Hello { version, vehicle, build } => {
             let vehicle =
@@ -78,15 +101,82 @@ fn write_record(record: &Record, out: &mut dyn Write) -> std::io::Result<()> {
         }
         Record::Shown(screen) => write_screen(screen, out),
         Record::Panic { line, text } => writeln!(out, "panic   line {line}: {}", text.as_str()),
-        #[allow(unreachable_patterns, reason = "records of a newer version")]
-        other => writeln!(out, "other   {other:?}"),
+        Record::Trips(trips) => write_trips(trips, out),
+        Record::Active { count, fault } => {
+            if told.active.replace(*count) != Some(*count) {
+                writeln!(out, "active  {count} faults")?;
+            }
+            match fault.filter(|fault| told.is_new(true, fault)) {
+                Some(fault) => writeln!(out, "active  {}, came at {}", said(&fault), seconds(fault.first_ms)),
+                None => Ok(()),
+            }
+        }
+        Record::Remembered { fault, last_ms, .. } => {
+            if !told.is_new(false, fault) {
+                return Ok(());
+            }
+            let (first, last) = (seconds(fault.first_ms), seconds(*last_ms));
+            let times = if fault.times == 1 { "once".into() } else { format!("{} times", fault.times) };
+            writeln!(out, "history {}, {times}, first at {first}, last at {last}", said(fault))
+        }
+    }
+}
+
+/// Returns what a fault is: its source, its code, how bad it is.
+fn said(fault: &Fault) -> String {
+    let source = match Source::from_number(fault.source) {
+        Some(source) => word(source),
+        None => format!("source {}", fault.source),
+    };
+    let code = fault.code.map_or(String::new(), |code| format!(" code {code}"));
+    let severity = word(Severity::from_model(fault.severity.into()));
+    format!("{source}{code}: {severity}, text {:04x}", fault.text)
+}
+
+fn seconds(ms: u64) -> String {
+    format!("{}.{:03} s", ms / 1_000, ms % 1_000)
+}
+
+fn write_trips(trips: &Trips, out: &mut dyn Write) -> std::io::Result<()> {
+    let range = if trips.range_is_estimated { "~" } else { "" };
+    write!(
+        out,
+        "trips   range {range}{} km, now {} Wh/km",
+        number(trips.range_km),
+        number(trips.consumption_whkm)
+    )?;
+    for (name, trip) in ["A", "B"].into_iter().zip(trips.trips) {
+        let Trip { hectometres, average_whkm, used_watthours, regained_watthours } = trip;
+        let average = average_whkm.map_or("--".into(), |average| average.to_string());
+        let (km, tenths) = (hectometres / 10, hectometres % 10);
+        write!(
+            out,
+            "; {name} {km}.{tenths} km, {average} Wh/km, used {used_watthours} Wh, regained {regained_watthours} Wh"
+        )?;
+    }
+    writeln!(out)
+}
+
+/// Returns what a page's number stands for.
+pub fn page(number: u8) -> String {
+    match number {
+        0 => "main".into(),
+        1 => "trip A".into(),
+        2 => "trip B".into(),
+        3 => "energy".into(),
+        4 => "faults".into(),
+        5 => "history".into(),
+        _ => {
+            let part = usize::from(number - 6);
+            cluster::page::Part::ALL.get(part).map_or(number.to_string(), word)
+        }
     }
 }
 
 fn write_health(health: &Health, out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(
         out,
-        "health  up {}.{:03} s, CAN {:?} (TEC {}, REC {}), received {}, sent {}, unknown {}, short {}, overruns {}, \
+        "health  up {}.{:03} s, CAN {:?} (TEC {}, REC {}), received {}, sent {}, unknown {}, short {}, damaged {}, overruns {}, \
          queue overflows {}, idle {}.{} %, last reset {:?}",
         health.uptime_ms / 1000,
         health.uptime_ms % 1000,
@@ -97,6 +187,7 @@ fn write_health(health: &Health, out: &mut dyn Write) -> std::io::Result<()> {
         health.frames_sent,
         health.frames_unknown,
         health.frames_dropped_short,
+        health.frames_damaged,
         health.overruns,
         health.ring_overflows,
         health.idle_permille / 10,
@@ -110,9 +201,16 @@ fn write_screen(screen: &Screen, out: &mut dyn Write) -> std::io::Result<()> {
         let code = line.code.map_or(String::new(), |code| format!(" code {code}"));
         format!(", line {:04x}{code} severity {}", line.text, line.severity)
     });
+    let hv_off = screen.hv_off_s.map_or(String::new(), |seconds| format!(", HV off in {seconds} s"));
+    let limp = match (screen.limps, screen.limp_deciamps) {
+        (false, _) => String::new(),
+        (true, None) => ", limp".into(),
+        (true, Some(limit)) => format!(", limp at {}.{} A", limit / 10, limit % 10),
+    };
     writeln!(
         out,
-        "shown   {} km/h, SOC {} %, lamps {:06x}{line}",
+        "shown   page {}, {} km/h, SOC {} %, lamps {:06x}{line}{hv_off}{limp}",
+        page(screen.page),
         number(screen.speed_kmh),
         number(screen.soc_percent),
         screen.telltales
@@ -156,5 +254,82 @@ mod tests {
             "value vehicle.gear D",
         ];
         assert_eq!(lines, expected);
+    }
+
+    fn printed(records: &[Record]) -> Vec<String> {
+        let mut bytes = Vec::new();
+        for record in records {
+            let mut frame = [0; MAX_FRAME];
+            let length = encode(record, &mut frame).unwrap();
+            bytes.extend_from_slice(&frame[..length]);
+        }
+        let mut out = Vec::new();
+        print(&mut &*bytes, &mut out).unwrap();
+        String::from_utf8(out).unwrap().lines().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn a_fault_is_printed_once_and_again_when_it_has_changed() {
+        let fault = Fault {
+            source: Source::BatteryAlarm.number(),
+            code: Some(3),
+            severity: 2,
+            text: 0xAB,
+            first_ms: 12_345,
+            times: 1,
+            ..Fault::default()
+        };
+        let again = Fault { times: 2, ..fault };
+        let active = |fault| Record::Active { count: 1, fault: Some(fault) };
+        let past = |fault, last_ms| Record::Remembered { count: 1, fault, last_ms };
+        let lines = printed(&[
+            Record::Active { count: 0, fault: None },
+            active(fault),
+            past(fault, 12_345),
+            active(fault),
+            past(fault, 12_345),
+            past(again, 20_000),
+            Record::Active { count: 0, fault: None },
+        ]);
+        let expected = [
+            "active  0 faults",
+            "active  1 faults",
+            "active  battery alarm code 3: derate, text 00ab, came at 12.345 s",
+            "history battery alarm code 3: derate, text 00ab, once, first at 12.345 s, last at 12.345 s",
+            "history battery alarm code 3: derate, text 00ab, 2 times, first at 12.345 s, last at 20.000 s",
+            "active  0 faults",
+        ];
+        assert_eq!(lines, expected);
+    }
+
+    #[test]
+    fn page_countdown_limp_and_trips_are_printed() {
+        let screen = Screen {
+            speed_kmh: Sample::Value(23),
+            page: 9,
+            hv_off_s: Some(28),
+            limps: true,
+            limp_deciamps: Some(545),
+            ..Screen::default()
+        };
+        let trip = Trip {
+            hectometres: 1_234,
+            average_whkm: Some(187),
+            used_watthours: 23_000,
+            regained_watthours: 12,
+        };
+        let trips = Trips {
+            trips: [trip, Trip::default()],
+            consumption_whkm: Sample::Stale,
+            range_km: Sample::Value(182),
+            range_is_estimated: true,
+        };
+        let expected = [
+            "shown   page codes, 23 km/h, SOC -- %, lamps 000000, HV off in 28 s, limp at 54.5 A",
+            "trips   range ~182 km, now -- Wh/km; A 123.4 km, 187 Wh/km, used 23000 Wh, regained 12 Wh; \
+             B 0.0 km, -- Wh/km, used 0 Wh, regained 0 Wh",
+        ];
+        assert_eq!(printed(&[Record::Shown(screen), Record::Trips(trips)]), expected);
+        assert_eq!(page(200), "200", "of a newer firmware");
     }
 }

@@ -8,6 +8,7 @@
 mod ci;
 mod codecs;
 mod codegen;
+mod coverage;
 mod dbc;
 mod decode;
 mod doctor;
@@ -22,11 +23,13 @@ mod reference;
 mod replay;
 mod rules;
 mod run;
+mod scenario;
 mod screens;
 mod steps;
 mod test;
 mod toolchain;
 mod uf2;
+mod vehicle;
 mod vehicles;
 mod workspace;
 
@@ -47,12 +50,16 @@ struct Cli {
 enum Command {
     /// Builds the firmware, drives it on the virtual bench and shows the cluster on a local page.
     Run(run::Options),
+    /// Plays the virtual vehicle on a real CAN adapter, for a cluster on the desk.
+    Vehicle(vehicle::Options),
     /// Runs every test: host tests, witnesses and the firmware on the bench.
     Test(test::Options),
     /// Builds the firmware for the board: ELF and UF2, with size and budget lines.
     Build(firmware::Options),
     /// Writes the firmware to a board: by debug probe, by picotool or by the BOOTSEL drive, whichever is there.
     Flash(flash::Options),
+    /// Runs scenario files against the cluster's logic and the real firmware, and names every expectation that fails.
+    Scenario(scenario::Options),
     /// Plays a recording through the cluster's logic and prints what it shows, as text or as JSON lines.
     Replay(replay::Options),
     /// Decodes a recording or a live bus to signals, as text, JSON lines or CSV.
@@ -73,6 +80,8 @@ enum Command {
     Reference(reference::Options),
     /// Maps every rule of the source documents to the tests that name it, and fails on one of the cluster without any.
     Rules(rules::Options),
+    /// Measures which lines of the logic crates their tests reach; with `--check`, all of the cluster's must be.
+    Coverage(coverage::Options),
     /// Prints flash and RAM of the firmware by section and checks the board's budgets.
     Size(firmware::Options),
     /// Prints the records that a cluster sends on its UART.
@@ -100,9 +109,11 @@ fn main() -> ExitCode {
 fn dispatch(command: Command) -> Result<()> {
     match command {
         Command::Run(options) => run::run(&options),
+        Command::Vehicle(options) => vehicle::run(&options),
         Command::Test(options) => test::run(&options),
         Command::Build(options) => firmware::build_and_report(&options).map(drop),
         Command::Flash(options) => flash::run(&options),
+        Command::Scenario(options) => scenario::run(&options),
         Command::Replay(options) => replay::run(&options),
         Command::Decode(options) => decode::run(&options),
         Command::Encode(options) => encode::run(&options),
@@ -113,6 +124,7 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Codecs(options) => codecs::run(&options),
         Command::Reference(options) => reference::run(&options),
         Command::Rules(options) => rules::run(&options),
+        Command::Coverage(options) => coverage::run(&options),
         Command::Size(options) => firmware::size(&options),
         Command::Listen(options) => listen::run(&options),
         Command::Layers => layers::run(),

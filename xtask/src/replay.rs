@@ -2,7 +2,8 @@
 //!
 //! The same code as on the chip, ticked every 10 ms of the recording's time; without the cluster's own wires (key,
 //! doors, lamps), which no recording has. Printed is what changes: values that the bus brings, in everyday units, the
-//! worst severity, the lamps, the message line and the sound. Pixels are the bench's business: `cargo xtask run`.
+//! worst severity, the lamps, the message line and the sound, the page, the countdown to high voltage off, limp mode, the
+//! range, and every fault that is noted. Pixels are the bench's business: `cargo xtask run`.
 
 use crate::decode::quiet_if_closed;
 use crate::vehicles::{Tables, can_frame, short_seconds};
@@ -11,8 +12,8 @@ use bench::log::Log;
 use bench::time::Nanos;
 use clap::Args;
 use cluster::telltale::{Telltale, Telltales};
-use cluster::view::Line;
-use cluster::{Chime, Cluster, Inputs, Received, Sound};
+use cluster::view::{Limp, Line, Range};
+use cluster::{Chime, Cluster, Entry, Inputs, Received, Sound, View};
 use protocol_core::model::{Severity, Shown, Value};
 use protocol_core::{Millis, Vehicle};
 use serde_json::{Value as Json, json};
@@ -87,6 +88,11 @@ struct Screen {
     lamps: Option<Telltales>,
     line: Option<Line>,
     sound: Option<Sound>,
+    page: u8,
+    hv_off_s: Option<u8>,
+    limp: Option<Limp>,
+    range: Shown<Range>,
+    history: Vec<Entry>,
 }
 
 impl Screen {
@@ -99,6 +105,11 @@ impl Screen {
             lamps: None,
             line: None,
             sound: None,
+            page: 0,
+            hv_off_s: None,
+            limp: None,
+            range: Shown::Never,
+            history: Vec::new(),
         }
     }
 
@@ -156,6 +167,59 @@ impl Screen {
             let (text, fields) = sound(chime);
             print("sound", &text, fields)?;
         }
+        let View { page, hv_off_s, limp, range, .. } = view;
+        if self.page != page.number() {
+            self.page = page.number();
+            let name = crate::listen::page(self.page);
+            print("page", &name, json!({ "page": self.page, "shown": name }))?;
+        }
+        if self.hv_off_s != hv_off_s {
+            self.hv_off_s = hv_off_s;
+            let text = hv_off_s.map_or("over".into(), |seconds| format!("{seconds} s"));
+            print("hv_off", &text, json!({ "seconds": hv_off_s }))?;
+        }
+        if self.limp != limp {
+            self.limp = limp;
+            let limit = limp.and_then(|limp| limp.limit_deciamps);
+            let text = match (limp, limit) {
+                (None, _) => "over".into(),
+                (Some(_), None) => "limit not known".into(),
+                (Some(_), Some(limit)) => format!("at most {}.{} A", limit / 10, limit % 10),
+            };
+            print("limp", &text, json!({ "limps": limp.is_some(), "limit_deciamps": limit }))?;
+        }
+        if self.range != range {
+            self.range = range;
+            let estimated = range.value().is_some_and(|range| range.is_estimated);
+            let mark = if estimated { "~" } else { "" };
+            let km = range.map(|range| i32::from(range.km));
+            let text = match km {
+                Shown::Value(km) => format!("{mark}{km} km"),
+                missing => format!("-- ({})", state_of(missing)),
+            };
+            print(
+                "range",
+                &text,
+                json!({ "state": state_of(km), "km": km.value(), "estimated": estimated }),
+            )?;
+        }
+        // Most ticks note nothing: compare before anything is copied.
+        if !cluster.history().eq(&self.history) {
+            let history: Vec<Entry> = cluster.history().copied().collect();
+            for entry in history.iter().filter(|entry| !self.history.contains(entry)) {
+                let (said, code) = cluster.remembered(entry);
+                let (source, severity) = (word(entry.source), word(entry.severity));
+                let number = code.map(|code| format!(" {code}")).unwrap_or_default();
+                let times = if entry.count > 1 { format!(" ({} times)", entry.count) } else { String::new() };
+                let text = format!("{severity}{number}: {} {} from {source}{times}", said.en, said.zh);
+                let fields = json!({
+                    "source": source, "code": entry.code, "severity": severity, "zh": said.zh, "en": said.en,
+                    "count": entry.count,
+                });
+                print("noted", &text, fields)?;
+            }
+            self.history = history;
+        }
         Ok(())
     }
 }
@@ -185,7 +249,7 @@ fn state_of(shown: Shown<i32>) -> &'static str {
 }
 
 /// Returns the name of a variant as words: `LowCharge` -> `low charge`.
-fn word(variant: impl std::fmt::Debug) -> String {
+pub fn word(variant: impl std::fmt::Debug) -> String {
     let mut words = String::new();
     for letter in format!("{variant:?}").chars() {
         if letter.is_ascii_uppercase() && !words.is_empty() {

@@ -1,8 +1,8 @@
 //! Maps every rule of the source documents to the tests that name it, or to the page that states it.
 //!
 //! The rules stand in docs/rules.csv: number, who must do it, a phrase of our own, and a page where no test can show it.
-//! A test names a rule in its name (`bus_r017_...`, `bus_r022_to_bus_r025_...`) or in a comment (`BUS-R017`). Rules of
-//! other nodes are the virtual vehicle's; they are listed without being asked for.
+//! A test names a rule in its name (`bus_r017_...`, `bus_r022_to_bus_r025_...`) or in a comment (`BUS-R017`); a scenario
+//! names it in its `rules`. Rules of other nodes are kept by the virtual vehicle and shown in its tests.
 
 use crate::workspace;
 use anyhow::{Context, Result, bail};
@@ -10,6 +10,7 @@ use clap::Args;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use virtual_vehicle::Kind;
 
 /// What to do with the page.
 #[derive(Args, Debug, Default)]
@@ -25,6 +26,8 @@ const PAGE: &str = "docs/reference/rules.md";
 const SOURCES: &[&str] = &["app", "bench", "drivers", "protocol-core", "vehicles", "xtask"];
 
 const OWN: &str = "xtask/src/rules.rs";
+/// Where scenario files are.
+const SCENARIOS: &str = "bench/scenarios/";
 
 /// One rule of a document.
 struct Rule {
@@ -35,30 +38,24 @@ struct Rule {
     page: String,
 }
 
-impl Rule {
-    fn is_cluster_s(&self) -> bool {
-        self.actors.split('+').any(|actor| matches!(actor, "Cluster" | "all"))
-    }
-}
-
-/// Tests by rule number: path and name.
+/// Tests by rule number: path and name; a scenario is its whole file.
 type Tests = BTreeMap<String, BTreeSet<(String, String)>>;
 
-/// Writes the page of rules, or checks that it is up to date and that every rule of the cluster is shown.
+/// Writes the page of rules, or checks that it is up to date and that every rule is shown.
 ///
 /// # Errors
-/// If a rule of the cluster has neither a test nor a page, or the committed page is stale.
+/// If a rule has neither a test nor a page, or the committed page is stale.
 pub fn run(options: &Options) -> Result<()> {
     let root = workspace::root();
     let list = std::fs::read_to_string(root.join(LIST)).with_context(|| format!("{LIST}: cannot be read"))?;
     let rules = parse(&list)?;
     let tests = tests(&root)?;
     let mut missing = Vec::new();
-    for rule in rules.iter().filter(|rule| rule.is_cluster_s()) {
+    for rule in &rules {
         let (number, page) = (&rule.number, &rule.page);
         if page.is_empty() && !tests.contains_key(number) {
             missing.push(format!(
-                "{number} ({}): no test names it; name one after it, or give it a page in {LIST}",
+                "{number} ({}): no test and no scenario names it; name one after it, or give it a page in {LIST}",
                 rule.subject
             ));
         }
@@ -70,6 +67,7 @@ pub fn run(options: &Options) -> Result<()> {
     }
     for number in tests.keys().filter(|number| !rules.iter().any(|rule| rule.number == **number)) {
         let (path, name) = tests[number].first().cloned().unwrap_or_default();
+        let name = if name.is_empty() { "the scenario" } else { &name };
         missing.push(format!("{path}: {name} names {number}, which {LIST} does not have"));
     }
     if !missing.is_empty() {
@@ -89,14 +87,8 @@ pub fn run(options: &Options) -> Result<()> {
         std::fs::write(&file, text).with_context(|| format!("{PAGE}: cannot be written"))?;
         println!("{PAGE}");
     }
-    let own: Vec<_> = rules.iter().filter(|rule| rule.is_cluster_s()).collect();
-    let tested = own.iter().filter(|rule| tests.contains_key(&rule.number)).count();
-    println!(
-        "{} rules, {} of them the cluster's: {tested} with tests, {} on a page",
-        rules.len(),
-        own.len(),
-        own.len() - tested
-    );
+    let tested = rules.iter().filter(|rule| tests.contains_key(&rule.number)).count();
+    println!("{} rules: {tested} with tests, {} on a page", rules.len(), rules.len() - tested);
     Ok(())
 }
 
@@ -136,6 +128,14 @@ fn tests(root: &Path) -> Result<Tests> {
                 for number in numbers {
                     tests.entry(number).or_default().insert((path.clone(), name.clone()));
                 }
+            }
+        }
+    }
+    for kind in Kind::ALL {
+        for scenario in bench::scenario::load(kind)? {
+            let path = format!("bench/scenarios/{}", scenario.file);
+            for number in scenario.rules {
+                tests.entry(number).or_default().insert((path.clone(), String::new()));
             }
         }
     }
@@ -222,14 +222,22 @@ fn page(rules: &[Rule], tests: &Tests) -> Result<String> {
             for (path, name) in tests.get(&rule.number).into_iter().flatten() {
                 by_file.entry(path).or_default().push(name);
             }
-            for (path, names) in by_file {
+            // One line for all scenarios: their names say what they show.
+            let (scenarios, files): (Vec<_>, Vec<_>) =
+                by_file.into_iter().partition(|(path, _)| path.starts_with(SCENARIOS));
+            for (path, names) in files {
                 shown.push(format!("[{path}](../../{path}): {}", names.join(", ")));
+            }
+            if !scenarios.is_empty() {
+                let link = |(path, _): &(&str, Vec<&str>)| {
+                    let name = path.trim_start_matches(SCENARIOS).trim_end_matches(".toml");
+                    format!("[{name}](../../{path})")
+                };
+                shown
+                    .push(format!("scenarios {}", scenarios.iter().map(link).collect::<Vec<_>>().join(", ")));
             }
             if !rule.page.is_empty() {
                 shown.push(format!("[{0}](../../{0})", rule.page));
-            }
-            if shown.is_empty() {
-                shown.push("virtual vehicle, not yet".into());
             }
             let actors = rule.actors.replace('+', ", ");
             writeln!(text, "| {} | {actors} | {} | {} |", rule.number, rule.subject, shown.join("; "))?;

@@ -118,6 +118,17 @@ impl std::fmt::Display for Toolchain {
     }
 }
 
+/// Returns the folder of what belongs to the compiler and the machine it runs on: libraries, LLVM's tools.
+///
+/// # Errors
+/// If the compiler cannot be asked.
+pub fn host_libraries() -> Result<PathBuf> {
+    let mut command = Command::new("rustc");
+    let version = workspace::capture(command.current_dir(workspace::root()).arg("-vV"))?;
+    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).context("rustc names no host")?;
+    Ok(sysroot(Path::new("rustc"))?.join("lib/rustlib").join(host))
+}
+
 fn sysroot(rustc: &Path) -> Result<PathBuf> {
     let mut command = Command::new(rustc);
     command.current_dir(workspace::root()).args(["--print", "sysroot"]);
