@@ -1,7 +1,7 @@
 //! The instrument itself: takes frames, inputs and the time, tells what to show, to sound and to send.
 //!
 //! Owns one of each part and the order in which they run. Every rule is in a part.
-//! Source: BUS-R015, BUS-R016, BUS-R049, BUS-R129 with BUS-93, BUS-108, BUS-115; JL-R026, JL-R031.
+//! Source: BUS-R015, BUS-R016, BUS-R049, BUS-R129 with BUS-93, BUS-108, BUS-115; JL-R026, JL-R031, JL-23.
 
 use crate::chime::{Chime, Player, Sound};
 use crate::faults::Faults;
@@ -22,7 +22,7 @@ use crate::transmit::{MAX_SENT, Transmit};
 use crate::trip::{self, Trip, Trips};
 use crate::view::{ActiveFault, Charging, Limp, List, Listed, Sheet, Text, View};
 use protocol_core::model::{Gear, Reading, Readings, Severity, Shown, Value};
-use protocol_core::vehicle::Vehicle;
+use protocol_core::vehicle::{Node, Vehicle};
 use protocol_core::{CanFrame, Millis};
 
 /// All lamps are lit for this long after start, in milliseconds, so that a dead one is noticed.
@@ -31,6 +31,9 @@ const BULB_CHECK_MS: u64 = 3_000;
 const BOOT_MS: u64 = 5_000;
 /// Half a period of the heartbeat on the screen, in milliseconds.
 const HEARTBEAT_MS: u64 = 500;
+
+/// A battery of which nothing has been heard for this long does not vouch for anybody's copy, in milliseconds.
+const BATTERY_HEARD_MS: u64 = 1_000;
 
 /// Versions that the cluster tells the vehicle, 0 to 255 (JL-R026).
 const HARDWARE: i32 = 1;
@@ -389,7 +392,7 @@ impl Cluster {
             speed_kmh: shown(Value::VehicleSpeed)
                 .map(|speed| (speed.max(0) >> 8).min(u16::MAX.into()) as u16),
             gear: shown(Value::VehicleGear).value().and_then(Gear::from_model),
-            soc_percent: shown(Value::BatterySoc).map(|soc| (soc / 10).clamp(0, 100) as u8),
+            soc_percent: self.charge(now).map(|soc| (soc / 10).clamp(0, 100) as u8),
             pack_decivolts: voltage,
             pack_deciamps: current,
             power_hectowatts: match power {
@@ -422,6 +425,19 @@ impl Cluster {
     /// Returns what there is to tell while a plug is inserted.
     fn charging(&self, now: Millis) -> Option<Charging> {
         trip::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
+    }
+
+    /// Returns the charge in 0.1 %: the battery's own word, else the vehicle controller's copy of it (JL-23).
+    ///
+    /// A silent battery has no charge to copy: the vehicle controller would repeat its last one.
+    fn charge(&self, now: Millis) -> Shown<i32> {
+        let own = self.shown(Value::BatterySoc, now);
+        let is_heard =
+            || self.reception.last_sign(Node::Bms).is_some_and(|at| now.since(at) < BATTERY_HEARD_MS);
+        match (own, self.shown(Value::VehicleSoc, now)) {
+            (Shown::Never | Shown::Stale | Shown::Invalid, copy @ Shown::Value(_)) if is_heard() => copy,
+            _ => own,
+        }
     }
 
     /// Returns the limits of limp mode while it holds: concluded, or reported by battery or vehicle (BUS-R115).

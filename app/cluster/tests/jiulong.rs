@@ -231,3 +231,27 @@ fn jl_42_each_sent_message_keeps_its_cycle_and_counts_from_0_to_255_and_round() 
         }
     }
 }
+
+#[test]
+fn jl_23_a_living_batterys_charge_is_taken_from_the_vehicle_controllers_copy() {
+    let mut ride = Ride::new();
+    // 80 % by the battery, 60 % by the copy, so that one can tell them apart.
+    let mut drive = |status: bool, battery: bool, copy: u8| {
+        for life in 0..30 {
+            ride.receive(VCU2, [life, 0, 0, 0, 0, 90, 0xFF, copy]);
+            if status {
+                ride.receive(STATUS, [0x15, 0x18, 0x13, 0x88, 200, life, 0, 0]);
+            }
+            if battery {
+                ride.receive(FAULTS, [0; 8]);
+            }
+            ride.run(100);
+        }
+        ride.cluster.view(ride.now).soc_percent
+    };
+    assert_eq!(drive(true, true, 150), Shown::Value(80), "the battery's own has precedence");
+    assert_eq!(drive(false, true, 150), Shown::Value(60), "its status is missing, it speaks");
+    assert_eq!(drive(false, true, 0xFF), Shown::Stale, "no copy");
+    assert_eq!(drive(false, false, 150), Shown::Stale, "a silent battery: the copy is old");
+    assert_eq!(drive(true, true, 150), Shown::Value(80));
+}

@@ -38,6 +38,18 @@ fn jl_r020_cells_fill_in_for_extremes_that_do_not_come() {
 }
 
 #[test]
+fn cells_that_change_change_their_extremes_at_once() {
+    let mut cluster = Cluster::new(&jiulong::VEHICLE);
+    for (now, voltage, millivolts) in
+        [(0, 180, 3_600), (500, 181, 3_620), (1_000, 170, 3_400), (1_000, 190, 3_800)]
+    {
+        cluster.receive(&cells(0, [voltage; 4]), Millis(now));
+        assert_eq!(shown(&cluster, "battery.cell.max", now), Shown::Value(millivolts), "at {now}");
+        assert_eq!(shown(&cluster, "battery.cell.min", now), Shown::Value(millivolts), "at {now}");
+    }
+}
+
+#[test]
 fn the_packs_own_extremes_have_precedence_while_they_are_fresh() {
     let mut cluster = Cluster::new(&jiulong::VEHICLE);
     cluster.receive(&cells(0, [100, 101, 102, 103]), Millis(0));

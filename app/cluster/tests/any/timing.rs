@@ -1,10 +1,10 @@
 //! The timing rules as the driver sees them; the machines themselves are tested exhaustively in their modules.
 
 use crate::probe::*;
-use cluster::{Options, Sound};
-use protocol_core::Severity;
-use protocol_core::model::Value as V;
-use protocol_core::vehicle::Node;
+use cluster::{Cluster, Options, Sound};
+use protocol_core::model::{Shown, Value as V};
+use protocol_core::vehicle::{Node, RxMessage, Vehicle};
+use protocol_core::{CanFrame, Millis, Severity};
 
 fn hv_off_after(drive: &mut Drive, ms: u64) -> (Vec<&'static str>, Option<u8>) {
     drive.run(ms);
@@ -55,7 +55,7 @@ fn bus_68_a_withdrawal_between_two_ticks_is_not_missed() {
     drive.run(10_000);
     for number in [0, 1] {
         let frame = [V::BatteryHvOffRequest as u8, 0, 0, 0, number, 0, 0, 0];
-        let frame = protocol_core::CanFrame::full(PROBE.rx[2].id, frame);
+        let frame = CanFrame::full(PROBE.rx[2].id, frame);
         drive.cluster.receive(&frame, drive.now);
     }
     assert_eq!(hv_off_after(&mut drive, CYCLE).1, Some(35));
@@ -215,4 +215,34 @@ fn a_stop_fault_sounds_above_the_buzzer_and_the_buzzer_above_milder_faults() {
         drive.run(CYCLE);
         assert_eq!(drive.sound(), Some(sound), "level {level}");
     }
+}
+
+#[test]
+fn the_last_sign_of_life_of_every_node_is_its_own() {
+    for (place, node) in NODES.into_iter().enumerate() {
+        let mut drive = Drive::new();
+        let before = NODES.map(|node| drive.cluster.counters().last_seen(node));
+        let now = drive.now.after(5);
+        let frame = CanFrame::full(PROBE.rx[place].id, [V::BodyHorn as u8, 0, 0, 0, 0, 0, 0, 0]);
+        drive.cluster.receive(&frame, now);
+        for (other, before) in NODES.into_iter().zip(before) {
+            let expected = if other == node { Some(now) } else { before };
+            assert_eq!(drive.cluster.counters().last_seen(other), expected, "{node:?}, {other:?}");
+        }
+        drive.cluster.receive(&frame, Millis(1));
+        assert_eq!(
+            drive.cluster.counters().last_seen(node),
+            Some(now),
+            "a clock that steps back takes nothing back"
+        );
+    }
+}
+
+#[test]
+fn another_cluster_on_the_bus_is_a_node_like_any_other() {
+    let rx: &'static [RxMessage] = Box::leak(Box::new([RxMessage { node: Node::Cluster, ..PROBE.rx[0] }]));
+    let mut cluster = Cluster::new(Box::leak(Box::new(Vehicle { rx, ..PROBE })));
+    cluster.receive(&CanFrame::full(rx[0].id, [V::BodyHorn as u8, 0, 0, 0, 1, 0, 0, 0]), Millis(7));
+    assert_eq!(cluster.counters().last_seen(Node::Cluster), Some(Millis(7)));
+    assert_eq!(cluster.shown(V::BodyHorn, Millis(8)), Shown::Value(1));
 }
