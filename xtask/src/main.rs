@@ -21,6 +21,7 @@ mod listen;
 mod python;
 mod reference;
 mod replay;
+mod rooms;
 mod rules;
 mod run;
 mod scenario;

@@ -8,7 +8,10 @@
 //! Not modelled: block protection, suspend, security registers, 64 KiB erase and chip erase by command. Unknown
 //! instructions answer 0xFF and do nothing, as on the chip. Write times do not depend on the instruction.
 
-use super::xip::{PAGE_BYTES, SECTOR_BYTES};
+/// Sector erase granularity, in bytes.
+pub(super) const SECTOR_BYTES: u32 = 4096;
+/// Page program granularity, in bytes.
+pub(super) const PAGE_BYTES: u32 = 256;
 
 /// The flash chip behind the SSI's serial mode.
 #[derive(Clone, Debug)]

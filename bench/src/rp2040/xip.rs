@@ -18,10 +18,6 @@ use super::ssi::Ssi;
 pub const FLASH_BASE: u32 = 0x1000_0000;
 /// Flash on the board, in bytes.
 pub const FLASH_BYTES: usize = 2 * 1024 * 1024;
-/// Sector erase granularity, in bytes.
-pub const SECTOR_BYTES: u32 = 4096;
-/// Page program granularity, in bytes.
-pub const PAGE_BYTES: u32 = 256;
 
 /// Cycles of clk_sys between the cache and the SSI per miss, on top of the SCK clocks (an estimate).
 const MISS_OVERHEAD: u32 = 4;
