@@ -37,6 +37,15 @@ pub(crate) fn counts_per(unit: Unit, dbc_unit: &str) -> Option<Ratio> {
     Some(Ratio::new(num, den))
 }
 
+/// Returns the units of a DBC in which a value of the model may come, the one that it is shown in first.
+pub(crate) fn accepted(unit: Unit) -> Vec<&'static str> {
+    const UNITS: [&str; 24] = [
+        "km/h", "km", "%", "V", "mV", "A", "Nm", "N.m", "rpm", "r/min", "°C", "degC", "kohm", "kOhm", "kΩ",
+        "Ah", "MPa", "bar", "kPa", "W", "kW", "Hz", "d", "Bar",
+    ];
+    UNITS.into_iter().filter(|name| counts_per(unit, name).is_some()).collect()
+}
+
 /// Returns the words of a unit of states; empty for a unit of numbers.
 pub(crate) fn words(unit: Unit) -> &'static [(&'static str, i32)] {
     match unit {

@@ -120,7 +120,7 @@ pub(crate) fn report_collisions(messages: &[(Named<'_>, Vec<Named<'_>>)], report
     for (_, signals) in messages {
         let methods = |name: &str| {
             let name = function_name(name);
-            vec![format!("{name}_raw"), format!("with_{name}_raw"), name]
+            vec![name.clone(), format!("{name}_raw"), format!("with_{name}_raw")]
         };
         report_among("signal", signals.iter().copied(), methods, report);
     }

@@ -9,6 +9,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// What the generated modules name as parts of their own crate.
 const CRATE: &str = "#![no_std]\npub use protocol_core::*;\npub mod generated;\n";
@@ -22,7 +23,9 @@ const CRATE: &str = "#![no_std]\npub use protocol_core::*;\npub mod generated;\n
 pub fn compiles(root: &Path, files: &[(PathBuf, String)]) -> Result<(), Diagnostics> {
     let library = library(root)?;
     let libraries = library.parent().unwrap_or(root);
-    let scratch = libraries.with_file_name(format!("generated-{}", std::process::id()));
+    static RUNS: AtomicU32 = AtomicU32::new(0);
+    let run = RUNS.fetch_add(1, Ordering::Relaxed);
+    let scratch = libraries.with_file_name(format!("generated-{}-{run}", std::process::id()));
     let found = in_folder(&scratch, &library, libraries, files);
     // What is left here hurts nobody.
     let _ = fs::remove_dir_all(&scratch);

@@ -195,7 +195,7 @@ fn a_misspelt_name_of_the_binding_gets_its_nearest_match() {
 fn units_states_and_directions_must_fit() {
     only(
         wrong_toml("battery.current", "battery.voltage"),
-        "vehicle.toml:10: `battery.voltage` counts Decivolt, but `speed` has the unit \"A\"",
+        "vehicle.toml:10: `battery.voltage` is measured in V or mV, but `speed` has the unit \"A\"",
     );
     let found = wrong_toml("{ signal = \"gear\", map = { creep = \"D1\" } }", "\"gear\"");
     assert!(
@@ -403,7 +403,7 @@ fn streams_pages_and_checksums_are_checked() {
         (
             "highest = \"battery.cell.max\"",
             "highest = \"battery.temperature.max\"",
-            "vehicle.toml:7: `battery.temperature.max` counts Celsius, but `v1` has the unit \"V\"",
+            "vehicle.toml:7: `battery.temperature.max` is measured in °C or degC, but `v1` has the unit \"V\"",
         ),
     ];
     for (from, to, said) in cases {
