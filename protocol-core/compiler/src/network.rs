@@ -11,7 +11,7 @@ use crate::places::{Entry, MessagePlace, Places, SignalPlace};
 use crate::ratio::{Linear, Ratio};
 use can_dbc::{
     AttributeDefinition, AttributeValue, AttributeValueType, ByteOrder, Dbc, DbcError, MultiplexIndicator,
-    ValueDescription, ValueType,
+    ValueType,
 };
 use protocol_core::codec::{LifeKind, Mux, Order};
 use std::collections::{BTreeMap, BTreeSet};
@@ -123,15 +123,19 @@ fn segments(start: u8, length: u8, order: Order) -> Vec<Segment> {
     found
 }
 
-/// What Vector's editors write signals into that belong to no message.
-const INDEPENDENT: (&str, u64) = ("VECTOR__INDEPENDENT_SIG_MSG", 0xC000_0000);
+/// What Vector's editors write signals into that belong to no message; neither number is an identifier.
+const INDEPENDENT: [(&str, u64); 2] =
+    [("VECTOR__INDEPENDENT_SIG_MSG", 0xC000_0000), ("VECTOR__INDEPENDENT_SIG_MSG", 0x4000_0000)];
 
 /// Pairs each message of the text with its place, but for the container of signals without a message.
 pub(crate) fn placed<'d, 'p, 't>(
     dbc: &'d Dbc,
     places: &'p Places<'t>,
 ) -> impl Iterator<Item = (&'d can_dbc::Message, &'p MessagePlace<'t>)> {
-    dbc.messages.iter().zip(&places.messages).filter(|(_, place)| (place.name, place.id) != INDEPENDENT)
+    dbc.messages
+        .iter()
+        .zip(&places.messages)
+        .filter(|(_, place)| !INDEPENDENT.contains(&(place.name, place.id)))
 }
 
 /// Returns the four numbers `(factor,offset) [minimum|maximum]` of the text after the colon of a signal.
@@ -247,12 +251,8 @@ pub(crate) fn read(file: &str, text: &str) -> Result<Network, Diagnostics> {
         }
         messages.push(read_message(&dbc, message, place, &places, &mut report));
     }
-    for description in &dbc.value_descriptions {
-        let ValueDescription::Signal { message_id, name, .. } = description else { continue };
-        if dbc.signal_by_name(*message_id, name).is_none() {
-            let line = places.note_line("VAL_", message_id.raw().into(), name, 1);
-            report.line(line, format!("value table of a signal that does not exist: `{name}`"));
-        }
+    for (line, signal) in places.tables_of_nothing() {
+        report.line(line, format!("value table of a signal that does not exist: `{signal}`"));
     }
     report.finish().or(Network { bitrate, nodes, messages })
 }

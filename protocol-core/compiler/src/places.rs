@@ -313,6 +313,17 @@ impl<'a> Places<'a> {
         self.notes.get(&(name, message, signal)).copied().unwrap_or(fallback)
     }
 
+    /// Returns line and signal of each value table (`VAL_`) whose signal is not in the text.
+    pub(crate) fn tables_of_nothing(&self) -> impl Iterator<Item = (usize, &'a str)> {
+        let is_there = |id: u64, name: &str| {
+            self.message(id).is_some_and(|message| message.signals.iter().any(|signal| signal.name == name))
+        };
+        let tables = self.notes.iter().filter(|((name, ..), _)| *name == "VAL_");
+        tables
+            .filter(move |((_, id, signal), _)| !is_there(*id, signal))
+            .map(|((_, _, signal), line)| (*line, *signal))
+    }
+
     /// Returns a message by its identifier as written.
     pub(crate) fn message(&self, id: u64) -> Option<&MessagePlace<'a>> {
         self.messages.iter().find(|message| message.id == id)

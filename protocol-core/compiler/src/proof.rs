@@ -85,13 +85,13 @@ fn library(root: &Path) -> Result<PathBuf, Diagnostics> {
     cargo.args(["--no-default-features", "--message-format=json-render-diagnostics"]);
     let output = run(&mut cargo)?;
     let said = String::from_utf8_lossy(&output.stdout);
-    let built = said.lines().filter_map(|line| {
+    let mut built = said.lines().filter_map(|line| {
         let message: serde_json::Value = serde_json::from_str(line).ok()?;
         let is_it = message["reason"] == "compiler-artifact" && message["target"]["name"] == "protocol_core";
         let files = message["filenames"].as_array().filter(|_| is_it)?;
         files.iter().filter_map(|file| file.as_str()).find(|file| file.ends_with(".rmeta")).map(PathBuf::from)
     });
-    built.last().filter(|_| output.status.success()).ok_or_else(|| {
+    built.next_back().filter(|_| output.status.success()).ok_or_else(|| {
         failed(format!(
             "`cargo check -p protocol-core` failed: {}",
             String::from_utf8_lossy(&output.stderr).trim()

@@ -253,6 +253,9 @@ fn a_finding_always_has_a_line() {
     for found in lint::lint("car.dbc", &bad).0 {
         assert!(found.line > 0, "{found}");
     }
+    let table = with("VAL_ 99514 level 0 \"of another\" ;");
+    let said = "car.dbc:29: value table of a signal that does not exist: `level`";
+    both_say(&table, &[said]);
     assert!(lint::lint("car.dbc", "").0.iter().all(|found| found.line > 0));
     assert!(lint::lint("car.dbc", "VERSION").0.iter().all(|found| found.line > 0));
 }
