@@ -1,7 +1,7 @@
 //! Recognition of the vehicle and of its bit rate, with the identifiers of the real tables.
 
 use cluster::detect::{DISTINCT, Detector, Dial, Found, KEPT, Sureness};
-use protocol_core::generated::{VEHICLES, bus, c5ev, example, jiulong};
+use protocol_core::generated::{VEHICLES, bus, c5ev, jiulong};
 use protocol_core::vehicle::Vehicle;
 use protocol_core::{CanFrame, CanId, Millis};
 
