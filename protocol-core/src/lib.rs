@@ -10,6 +10,7 @@
 pub mod checksum;
 pub mod codec;
 pub mod frame;
+#[cfg(feature = "vehicles")]
 pub mod generated;
 pub mod link;
 pub mod model;

@@ -1,4 +1,6 @@
 //! Generates `protocol-core/src/generated/` from the vehicles' folders.
+//!
+//! The same as `cargo run -p vehicle-compiler`, which is there for a tree in which this program does not build.
 
 use anyhow::{Result, bail};
 use clap::Args;

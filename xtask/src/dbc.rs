@@ -6,7 +6,7 @@ use crate::workspace;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use std::path::{Path, PathBuf};
-use vehicle_compiler::{Diagnostic, lint};
+use vehicle_compiler::{Diagnostic, encoding, lint};
 
 /// What to lint.
 #[derive(Args, Debug, Default)]
@@ -43,11 +43,12 @@ pub fn run(options: &Options) -> Result<()> {
 /// Returns the findings of one file; a path that is not there is looked for in the repository.
 fn findings_of(name: &str, in_repository: &Path, given: &Path) -> Vec<Diagnostic> {
     let path = if given.exists() { given } else { in_repository };
-    let whole = |message: String| vec![Diagnostic { file: name.into(), line: 0, message }];
-    match std::fs::read(path).map(String::from_utf8) {
+    match std::fs::read(path).map(|bytes| encoding::decode(name, bytes)) {
         Ok(Ok(text)) => lint::lint(name, &text).0,
-        Ok(Err(_)) => whole("is not UTF-8 text; convert it: `iconv -f gb18030 -t utf-8`".into()),
-        Err(error) => whole(format!("cannot be read: {error}")),
+        Ok(Err(wrong)) => wrong.0,
+        Err(error) => {
+            vec![Diagnostic { file: name.into(), line: 0, message: format!("cannot be read: {error}") }]
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Which vehicle, which message, which number: what the commands that read and write frames share.
 //!
-//! Vehicles are told apart by the identifiers heard: no 29-bit identifier is shared. Names are looked up exactly and the
+//! Vehicles are told apart by the identifiers heard: the one with most of them is taken. Names are looked up exactly and the
 //! nearest one is offered. Numbers are exact decimals made from integers; no float takes part.
 
 use anyhow::{Result, anyhow, bail};
@@ -149,10 +149,12 @@ mod tests {
         assert_eq!(decimal(i64::MIN, 1), "-9223372036854775808");
     }
 
+    /// A vehicle that is added may share identifiers with another; a recording of it is then read with `--vehicle`.
     #[test]
-    fn no_identifier_belongs_to_two_vehicles() {
-        let ids = |tables: &Tables| tables.messages.iter().map(|message| message.id).collect::<Vec<_>>();
-        let all: Vec<CanId> = Tables::all().flat_map(|tables| ids(&tables)).collect();
+    fn no_identifier_belongs_to_two_of_the_documented_vehicles() {
+        let known = Tables::all().filter(|tables| ["bus", "c5ev", "jiulong"].contains(&tables.vehicle.name));
+        let all: Vec<CanId> =
+            known.flat_map(|tables| tables.messages.iter().map(|message| message.id)).collect();
         assert_eq!(all.iter().collect::<BTreeSet<_>>().len(), all.len());
     }
 }

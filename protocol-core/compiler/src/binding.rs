@@ -3,7 +3,7 @@
 //! The keys are described in `vehicles/FORMAT.md`.
 
 use crate::diagnostics::{Diagnostics, Report, did_you_mean};
-use crate::meaning::{CHECKSUMS, NODES, counts_per, words};
+use crate::meaning::{CHECKSUMS, NODES, accepted, counts_per, words};
 use crate::network::{Message, Network, Signal};
 use crate::ratio::{Linear, Ratio};
 use protocol_core::checksum::Checksum;
@@ -807,20 +807,26 @@ impl Reader<'_> {
         }
         for (key, at) in &map {
             let name = key.get_ref().as_ref();
-            let by_word = signal.values.iter().find(|(_, word)| word == name).map(|(raw, _)| *raw);
-            let by_number = match name.strip_prefix("0x") {
-                Some(hex) => i64::from_str_radix(hex, 16).ok(),
-                None => name.parse().ok(),
-            };
-            let (lowest, highest) = signal.span();
-            let Some(raw) = by_word.or(by_number).filter(|raw| (lowest..=highest).contains(raw)) else {
+            // Several raw values may have one word: it stands for all of them.
+            let mut raws: Vec<i64> =
+                signal.values.iter().filter(|(_, word)| word == name).map(|(raw, _)| *raw).collect();
+            if raws.is_empty() {
+                let by_number = match name.strip_prefix("0x") {
+                    Some(hex) => i64::from_str_radix(hex, 16).ok(),
+                    None => name.parse().ok(),
+                };
+                let (lowest, highest) = signal.span();
+                raws.extend(by_number.filter(|raw| (lowest..=highest).contains(raw)));
+            }
+            if raws.is_empty() {
                 let candidates = signal.values.iter().map(|(_, word)| word.as_str());
                 let near = did_you_mean(name, candidates);
                 let text = format!("signal `{}` has no value `{name}`{near}", signal.name);
                 self.report.offset(key.span().start, text);
                 continue;
-            };
-            states.insert(raw, self.state(value, at));
+            }
+            let state = self.state(value, at);
+            states.extend(raws.into_iter().map(|raw| (raw, state)));
         }
         let missing = signal.values.iter().filter(|(raw, _)| !states.contains_key(raw));
         let missing: Vec<&str> = missing.map(|(_, word)| word.as_str()).collect();
@@ -846,9 +852,9 @@ impl Reader<'_> {
     fn scale(&mut self, value: Value, signal: &Signal, offset: usize) -> Option<Linear> {
         let Some(counts) = counts_per(value.unit(), &signal.unit) else {
             let text = format!(
-                "`{}` counts {:?}, but `{}` has the unit \"{}\"",
+                "`{}` is measured in {}, but `{}` has the unit \"{}\"",
                 value.path(),
-                value.unit(),
+                accepted(value.unit()).join(" or "),
                 signal.name,
                 signal.unit
             );

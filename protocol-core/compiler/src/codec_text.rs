@@ -2,6 +2,7 @@
 
 use crate::names::{function_name, type_name};
 use crate::network::{Message, Network, Segment, Signal};
+use crate::one_line;
 use crate::ratio::Linear;
 use protocol_core::CanId;
 use protocol_core::codec::{LifeKind, Mux, Order};
@@ -127,8 +128,8 @@ fn range_doc(signal: &Signal) -> String {
     let (low, high) = signal.range;
     let unit = match (signal.scale.den, signal.unit.as_str()) {
         (1, "") => String::new(),
-        (1, unit) => format!("in {unit}"),
-        (den, unit) => format!("in 1/{den} {unit}").trim_end().to_string(),
+        (1, unit) => format!("in {}", one_line(unit)),
+        (den, unit) => format!("in 1/{den} {}", one_line(unit)).trim_end().to_string(),
     };
     let values = (low * signal.scale.mul + signal.scale.add, high * signal.scale.mul + signal.scale.add);
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };

@@ -2,17 +2,22 @@
 //!
 //! Owns the checks of both files and the form of the generated text; the keys of `vehicle.toml` are described in
 //! `vehicles/FORMAT.md`. Deterministic: the same folder gives the same bytes. Refuses to guess: whatever is misspelt,
-//! overlaps, has no unit or no meaning is an error with file and line, and all errors are shown at once.
+//! overlaps, has no unit or no meaning is an error with file and line, and all errors are shown at once. Writes all files
+//! or none, and none that the compiler of Rust has not accepted. Needs no generated file to be built itself, so a tree
+//! that does not build is mended with `cargo run -p vehicle-compiler`.
 
 #![forbid(unsafe_code)]
 
 mod binding;
 mod codec_text;
 mod diagnostics;
+pub mod encoding;
 pub mod lint;
 mod meaning;
 mod names;
 mod network;
+mod places;
+pub mod proof;
 mod ratio;
 mod vehicle_text;
 
@@ -42,7 +47,10 @@ pub fn compile(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<Stri
     let binding = binding::read(toml.0, toml.1, &network)?;
     let mut out = format!(
         "//! Vehicle `{name}`: {} ({}).\n//!\n//! Generated from `{}` and `{}`; refresh with `cargo xtask codegen`.\n\n",
-        binding.en, binding.zh, dbc.0, toml.0
+        one_line(&binding.en),
+        one_line(&binding.zh),
+        dbc.0,
+        toml.0
     );
     out.push_str(
         "use crate::checksum::{Checksum, ChecksumKind};\n\
@@ -57,11 +65,20 @@ pub fn compile(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<Stri
     Ok(out)
 }
 
+/// Returns a text of a user as it may stand in a comment: what is no letter is written as its escape.
+pub(crate) fn one_line(text: &str) -> String {
+    let shown = |letter: char| match letter {
+        '"' | '\'' | '\\' => letter.to_string(),
+        _ => letter.escape_debug().to_string(),
+    };
+    text.chars().map(shown).collect()
+}
+
 /// Returns the vehicles' names: the folders under `vehicles/` that hold `<name>.dbc` and `vehicle.toml`, sorted.
 ///
 /// # Errors
 ///
-/// If the folder cannot be read, or one of the two files stands alone.
+/// If the folder cannot be read, one of the two files stands alone, or the name is none for a module.
 pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
     let folder = root.join("vehicles");
     let entries = fs::read_dir(&folder)
@@ -72,7 +89,10 @@ pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
         let name = entry.file_name().to_string_lossy().into_owned();
         let files = [format!("{name}.dbc"), "vehicle.toml".into()];
         match files.map(|file| entry.path().join(file).is_file()) {
-            [true, true] => names.push(name),
+            [true, true] => match names::wrong_folder(&name) {
+                None => names.push(name),
+                Some(reason) => wrong.0.extend(Diagnostics::one(&format!("vehicles/{name}"), 0, reason).0),
+            },
             [false, false] => {}
             [dbc, _] => {
                 let file = if dbc { "vehicle.toml".to_string() } else { format!("{name}.dbc") };
@@ -103,9 +123,10 @@ pub fn compile_all(root: &Path) -> Result<Vec<(PathBuf, String)>, Diagnostics> {
     );
     for name in &names {
         let read = |file: String| {
-            let text = fs::read_to_string(root.join(&file));
-            text.map(|text| (file.clone(), text))
-                .map_err(|error| Diagnostics::one(&file, 0, error.to_string()))
+            let bytes = fs::read(root.join(&file));
+            let bytes =
+                bytes.map_err(|error| Diagnostics::one(&file, 0, format!("cannot be read: {error}")))?;
+            encoding::decode(&file, bytes).map(|text| (file, text))
         };
         let compiled = read(format!("vehicles/{name}/{name}.dbc")).and_then(|dbc| {
             let toml = read(format!("vehicles/{name}/vehicle.toml"))?;
@@ -146,29 +167,58 @@ fn leftovers(root: &Path, files: &[(PathBuf, String)]) -> Vec<PathBuf> {
 
 /// Writes the generated files that changed, removes those without a vehicle, and returns their paths.
 ///
+/// All or nothing: what is wrong with one vehicle, or is not valid Rust, leaves every file as it was.
+///
 /// # Errors
 ///
-/// Everything that is wrong with any vehicle (then nothing is written), or the first file that cannot be written.
+/// Everything that is wrong with any vehicle, what [`proof::compiles`] finds, or the first file that cannot be written.
 pub fn write(root: &Path) -> Result<Vec<PathBuf>, Diagnostics> {
+    write_if(root, |files| proof::compiles(root, files))
+}
+
+/// Does what [`write`] does, with another proof of the generated texts: it is asked before anything is written.
+///
+/// # Errors
+///
+/// Everything that is wrong with any vehicle, what `proof` finds, or the first file that cannot be written.
+pub fn write_if(
+    root: &Path,
+    proof: impl FnOnce(&[(PathBuf, String)]) -> Result<(), Diagnostics>,
+) -> Result<Vec<PathBuf>, Diagnostics> {
     let files = compile_all(root)?;
+    let is_new =
+        |(path, text): &&(PathBuf, String)| fs::read_to_string(root.join(path)).ok().as_ref() != Some(text);
+    let changed: Vec<&(PathBuf, String)> = files.iter().filter(is_new).collect();
+    let gone = leftovers(root, &files);
+    if !changed.is_empty() {
+        proof(&files)?;
+    }
     let failed = |path: &Path, error: std::io::Error| {
         Diagnostics::one(&path.to_string_lossy(), 0, format!("cannot be written: {error}"))
     };
     let folder = Path::new(GENERATED);
     fs::create_dir_all(root.join(folder)).map_err(|error| failed(folder, error))?;
-    let mut changed = Vec::new();
-    for (path, text) in &files {
-        if fs::read_to_string(root.join(path)).is_ok_and(|old| old == *text) {
-            continue;
+    // A disk that is full shows itself here, before the first file of the tree is touched.
+    let new = |path: &Path| root.join(path).with_extension("rs.new");
+    for (path, text) in &changed {
+        if let Err(error) = fs::write(new(path), text) {
+            changed.iter().for_each(|(path, _)| drop(fs::remove_file(new(path))));
+            return Err(failed(path, error));
         }
-        fs::write(root.join(path), text).map_err(|error| failed(path, error))?;
-        changed.push(path.clone());
     }
-    for path in leftovers(root, &files) {
+    // `mod.rs` comes last and removals behind it: broken off in between, the tree still builds.
+    let is_list = |path: &Path| path.ends_with("mod.rs");
+    let (lists, vehicles): (Vec<_>, Vec<_>) = changed.into_iter().partition(|(path, _)| is_list(path));
+    let mut written = Vec::new();
+    for (path, _) in vehicles.into_iter().chain(lists) {
+        fs::rename(new(path), root.join(path)).map_err(|error| failed(path, error))?;
+        written.push(path.clone());
+    }
+    for path in gone {
         fs::remove_file(root.join(&path)).map_err(|error| failed(&path, error))?;
-        changed.push(path);
+        written.push(path);
     }
-    Ok(changed)
+    Ok(written)
 }
 
 /// Checks that the generated files are what the vehicles give.

@@ -6,6 +6,7 @@
 
 use crate::diagnostics::{Diagnostics, Report, did_you_mean};
 use crate::network::{self, Network, Signal};
+use crate::places::{MessagePlace, Places};
 use crate::ratio::Ratio;
 use can_dbc::{Comment, Dbc};
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,12 +18,12 @@ pub fn lint(file: &str, text: &str) -> Diagnostics {
         Err(wrong) => (None, wrong),
     };
     // A text that is no DBC has its syntax error already; the rest would be noise.
-    if let Ok(dbc) = Dbc::try_from(text) {
+    if let Ok(dbc) = Dbc::try_from(network::without_mark(text)) {
         let mut report = Report::new(file, text);
-        let lines = Lines::find(text);
-        check_messages(&dbc, &lines, &mut report);
+        let places = Places::find(network::without_mark(text));
+        check_messages(&dbc, &places, &mut report);
         if let Some(network) = &network {
-            check_ranges(&dbc, network, &lines, &mut report);
+            check_ranges(&dbc, network, &places, &mut report);
         }
         found.0.extend(report.finish().0);
     }
@@ -34,9 +35,8 @@ pub fn lint(file: &str, text: &str) -> Diagnostics {
 /// # Errors
 /// If the text is not a DBC.
 pub fn comments(file: &str, text: &str) -> Result<BTreeMap<(u32, String), String>, Diagnostics> {
-    let wrong = |error: can_dbc::DbcError| Diagnostics::one(file, 0, format!("not valid DBC: {error}"));
     let mut comments = BTreeMap::new();
-    for comment in Dbc::try_from(text).map_err(wrong)?.comments {
+    for comment in network::parse(file, text)?.comments {
         match comment {
             Comment::Message { id, comment } => comments.insert((id.raw(), String::new()), comment),
             Comment::Signal { message_id, name, comment } => {
@@ -48,39 +48,11 @@ pub fn comments(file: &str, text: &str) -> Result<BTreeMap<(u32, String), String
     Ok(comments)
 }
 
-/// Lines of messages and signals by packed identifier and signal; the message's own stands under `""`.
-struct Lines<'a>(BTreeMap<(u32, &'a str), usize>);
-
-impl<'a> Lines<'a> {
-    fn find(text: &'a str) -> Self {
-        let (mut lines, mut message) = (BTreeMap::new(), 0);
-        for (index, line) in text.lines().enumerate() {
-            let mut words = line.split_whitespace();
-            match (words.next(), words.next()) {
-                (Some("BO_"), Some(id)) => {
-                    message = id.parse().unwrap_or(0);
-                    lines.insert((message, ""), index + 1);
-                }
-                (Some("SG_"), Some(name)) => {
-                    lines.insert((message, name.trim_end_matches(':')), index + 1);
-                }
-                _ => {}
-            }
-        }
-        Self(lines)
-    }
-
-    fn of(&self, message: u32, signal: &str) -> usize {
-        self.0.get(&(message, signal)).copied().unwrap_or(0)
-    }
-}
-
-fn check_messages(dbc: &Dbc, lines: &Lines<'_>, report: &mut Report<'_>) {
+fn check_messages(dbc: &Dbc, places: &Places<'_>, report: &mut Report<'_>) {
     let nodes: BTreeSet<&str> = dbc.nodes.iter().map(|node| node.0.as_str()).collect();
     let mut noted = BTreeSet::new();
-    for message in dbc.messages.iter().filter(|message| message.name != "VECTOR__INDEPENDENT_SIG_MSG") {
-        let (id, name) = (message.id.raw(), &message.name);
-        let line = lines.of(id, "");
+    for (message, place) in network::placed(dbc, places) {
+        let MessagePlace { id, name, line, .. } = *place;
         if dbc.message_comment(message.id).is_none_or(|comment| comment.trim().is_empty()) {
             report.line(line, format!("message `{name}` has no comment (CM_ BO_ {id})"));
         }
@@ -91,8 +63,8 @@ fn check_messages(dbc: &Dbc, lines: &Lines<'_>, report: &mut Report<'_>) {
         if message.transmitter.is_none() {
             report.line(line, format!("message `{name}` has no sender"));
         }
-        for signal in &message.signals {
-            let line = lines.of(id, &signal.name);
+        for (signal, place) in message.signals.iter().zip(&place.signals) {
+            let line = place.line;
             let words = dbc.value_descriptions_for_signal(message.id, &signal.name).unwrap_or_default();
             if dbc.signal_comment(message.id, &signal.name).is_none_or(|comment| comment.trim().is_empty()) {
                 report.line(line, format!("signal `{}` has no comment (CM_ SG_ {id})", signal.name));
@@ -126,14 +98,11 @@ fn check_messages(dbc: &Dbc, lines: &Lines<'_>, report: &mut Report<'_>) {
 }
 
 /// Finds ranges that say nothing and limits that no raw value reaches.
-fn check_ranges(dbc: &Dbc, network: &Network, lines: &Lines<'_>, report: &mut Report<'_>) {
-    for message in &network.messages {
-        let Some(source) = dbc.messages.iter().find(|source| source.id.raw() == message.id) else { continue };
-        for signal in &message.signals {
-            let Some(written) = source.signals.iter().find(|written| written.name == signal.name) else {
-                continue;
-            };
-            let line = lines.of(message.id, &signal.name);
+fn check_ranges(dbc: &Dbc, network: &Network, places: &Places<'_>, report: &mut Report<'_>) {
+    // Every signal of a network without errors is one of the text.
+    for (message, (source, place)) in network.messages.iter().zip(network::placed(dbc, places)) {
+        for ((signal, written), place) in message.signals.iter().zip(&source.signals).zip(&place.signals) {
+            let line = place.line;
             let [low, high] = [&written.min, &written.max].map(|limit| Ratio::parse(&limit.to_string()));
             let (Some(low), Some(high)) = (low, high) else { continue };
             if low == Ratio::ZERO && high == Ratio::ZERO {
@@ -151,7 +120,8 @@ fn check_ranges(dbc: &Dbc, network: &Network, lines: &Lines<'_>, report: &mut Re
 }
 
 fn is_on_grid(signal: &Signal, limit: Ratio) -> bool {
-    ((limit - signal.offset) / signal.factor).den == 1
+    let steps = limit.checked_sub(signal.offset).and_then(|above| above.checked_div(signal.factor));
+    steps.is_some_and(|steps| steps.den == 1)
 }
 
 #[cfg(test)]

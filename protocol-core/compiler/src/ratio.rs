@@ -1,6 +1,6 @@
 //! Exact fractions: a factor of a DBC file never passes through a float.
 
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Div, Mul, Sub};
 
 /// A fraction in lowest terms with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,20 +51,21 @@ impl Ratio {
     }
 }
 
-impl Add for Ratio {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self::new(self.num * other.den + other.num * self.den, self.den * other.den)
+// Numbers of 24 digits are read; what their sums and quotients need beyond 127 bits is told, not lost.
+impl Ratio {
+    pub(crate) fn checked_sub(self, other: Self) -> Option<Self> {
+        let (a, b) = (self.num.checked_mul(other.den)?, other.num.checked_mul(self.den)?);
+        Some(Self::new(a.checked_sub(b)?, self.den.checked_mul(other.den)?))
+    }
+
+    /// Returns `self / other`, `None` if `other` is 0 too.
+    pub(crate) fn checked_div(self, other: Self) -> Option<Self> {
+        let (num, den) = (self.num.checked_mul(other.den)?, self.den.checked_mul(other.num)?);
+        (den != 0).then(|| Self::new(num, den))
     }
 }
 
-impl Sub for Ratio {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.num * other.den - other.num * self.den, self.den * other.den)
-    }
-}
-
+/// For numbers that a [`Linear`] has proved short.
 impl Mul for Ratio {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
@@ -72,6 +73,15 @@ impl Mul for Ratio {
     }
 }
 
+/// For numbers that a [`Linear`] has proved short.
+impl Sub for Ratio {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.num * other.den - other.num * self.den, self.den * other.den)
+    }
+}
+
+/// For numbers that a [`Linear`] has proved short.
 impl Div for Ratio {
     type Output = Self;
     fn div(self, other: Self) -> Self {
@@ -90,8 +100,9 @@ pub(crate) struct Linear {
 impl Linear {
     /// Returns `x * factor + offset`, `None` if a term needs more than 31 bits.
     pub(crate) fn new(factor: Ratio, offset: Ratio) -> Option<Self> {
-        let den = factor.den * offset.den / gcd(factor.den, offset.den).max(1);
-        let (mul, add) = (factor.num * (den / factor.den), offset.num * (den / offset.den));
+        let den = factor.den.checked_mul(offset.den / gcd(factor.den, offset.den).max(1))?;
+        let mul = factor.num.checked_mul(den / factor.den)?;
+        let add = offset.num.checked_mul(den / offset.den)?;
         let narrow = |number: i128| i32::try_from(number).ok().map(i64::from);
         Some(Self { mul: narrow(mul)?, add: narrow(add)?, den: narrow(den)? })
     }
@@ -121,6 +132,15 @@ mod tests {
     fn floor_and_ceiling_hold_below_zero() {
         assert_eq!((Ratio::new(-7, 2).floor(), Ratio::new(-7, 2).ceil()), (-4, -3));
         assert_eq!((Ratio::new(7, 2).floor(), Ratio::new(7, 2).ceil()), (3, 4));
+    }
+
+    #[test]
+    fn what_needs_too_many_bits_is_told() {
+        let parse = |text| Ratio::parse(text).expect("a number of at most 24 digits");
+        let (long, short) = (parse("999999999999999999999999"), parse("0.00000000000000000000001"));
+        assert_eq!((long.checked_sub(short), short.checked_div(long)), (None, None));
+        assert_eq!((Linear::new(short, long), Linear::new(long, Ratio::ZERO)), (None, None));
+        assert_eq!(long.checked_div(Ratio::ZERO), None);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::codec_text::{counts, id_text, validity, width};
 use crate::meaning::variant;
 use crate::names::{function_name, type_name};
 use crate::network::{Message, Network, Signal};
+use crate::one_line;
 use crate::ratio::Linear;
 use protocol_core::checksum::Checksum;
 use protocol_core::codec::Mux;
@@ -407,7 +408,7 @@ pub(crate) fn write(out: &mut String, name: &str, network: &Network, binding: &B
     write_ids(out, network, binding);
     write_decoder(out, network, &binding.rx);
     write_encoder(out, network, &binding.tx);
-    let _ = writeln!(out, "\n/// {} ({}).", binding.en, binding.zh);
+    let _ = writeln!(out, "\n/// {} ({}).", one_line(&binding.en), one_line(&binding.zh));
     let _ = writeln!(out, "pub static VEHICLE: Vehicle = Vehicle {{");
     let _ = writeln!(out, "    name: {name:?},\n    zh: {:?},\n    en: {:?},", binding.zh, binding.en);
     let _ = writeln!(out, "    bitrate: {},\n    worst_level: {},", network.bitrate, binding.worst_level);
