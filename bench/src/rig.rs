@@ -77,6 +77,8 @@ pub struct Heard {
 pub struct Counts {
     /// Frames that other nodes sent over the bus while the controller listened.
     pub on_bus: u64,
+    /// Of these, frames that the controller put into its buffers.
+    pub stored: u64,
     /// Frames that the firmware had received when it last reported.
     pub received: u64,
     /// Frames lost in the controller's buffers or in the firmware's queue.
@@ -257,10 +259,15 @@ impl Rig {
             return None;
         }
         if self.turn_due <= self.now() {
-            self.members.clone().poll(self.board_mut());
-            self.turn_due = self.now() + join::TURN;
+            self.settle_members();
         }
         Some(self.turn_due)
+    }
+
+    /// Gives the other tools a turn now, due or not: nothing that was on the bus so far is kept from them.
+    pub fn settle_members(&mut self) {
+        self.members.clone().poll(self.board_mut());
+        self.turn_due = self.now() + join::TURN;
     }
 
     /// Puts what the cluster's own wires report onto the board's pins.
@@ -401,6 +408,7 @@ impl Rig {
         let chip = self.board().mcp2515().counters();
         Counts {
             on_bus: chip.frames_seen,
+            stored: chip.frames_stored.iter().sum(),
             received: u64::from(self.health.frames_received),
             lost: chip.frames_overrun.iter().sum::<u64>()
                 + chip.frames_discarded

@@ -3,11 +3,12 @@
 //! One row per signal: time, identifier, message, signal, raw value, exact value, unit, whether it is valid, and the
 //! word of the value table. A file is read whole; stdin is decoded line by line, so that `candump -ta can0 |
 //! cargo xtask decode -` is live. What cannot be decoded is counted and summed up on stderr, never dropped silently.
+//! Of a recording without times the time is missing: `-`, `null` or an empty cell.
 
+use crate::recording::Choices;
 use crate::vehicles::{self, Tables, can_frame, can_id, seconds, short_seconds, value_of, with_unit};
 use anyhow::{Context, Result, bail};
 use bench::can::Frame;
-use bench::log::{Log, LogError};
 use bench::time::Nanos;
 use clap::{Args, ValueEnum};
 use protocol_core::CanId;
@@ -22,6 +23,8 @@ pub struct Options {
     /// Recording (candump, Vector ASC or GVRET CSV); `-` reads stdin line by line.
     #[arg(default_value = "-")]
     file: PathBuf,
+    #[command(flatten)]
+    choices: Choices,
     /// Vehicle whose tables to use; found from the identifiers heard if not given.
     #[arg(long)]
     vehicle: Option<String>,
@@ -65,14 +68,15 @@ pub fn quiet_if_closed(result: Result<()>) -> Result<()> {
 }
 
 fn whole(options: &Options) -> Result<()> {
-    let log = Log::read_file(&options.file)?;
+    let log = options.choices.read_untimed(&options.file)?;
     let tables = Tables::of_log(&log, options.vehicle.as_deref())?;
-    let mut tally = Tally { bus_errors: log.error_frames, ..Tally::default() };
+    let mut tally = Tally { bus_errors: log.error_frames, untimed: !log.timed, ..Tally::default() };
     let mut out = BufWriter::new(io::stdout().lock());
     let printer = Printer::new(tables, options)?;
     printer.head(&mut out)?;
     for entry in &log.entries {
-        printer.frame(&mut out, log.origin, entry.at, &entry.frame, &mut tally)?;
+        let clock = Clock { origin: log.origin, timed: log.timed };
+        printer.frame(&mut out, clock, entry.at, &entry.frame, &mut tally)?;
     }
     out.flush()?;
     tally.report(tables);
@@ -90,10 +94,14 @@ fn live(options: &Options) -> Result<()> {
     if let Some(printer) = &printer {
         printer.head(&mut out)?;
     }
-    let mut lines = LineByLine::default();
-    for line in io::stdin().lock().lines() {
-        let line = line.with_context(|| format!("stdin:{}: cannot be read as text", lines.number + 1))?;
-        let Some((at, frame)) = lines.read(&line)? else { continue };
+    let (mut recording, mut stdin, mut line) = (options.choices.live(), io::stdin().lock(), Vec::new());
+    loop {
+        line.clear();
+        if stdin.read_until(b'\n', &mut line).context("stdin cannot be read")? == 0 {
+            break;
+        }
+        let Some(entry) = recording.read(&String::from_utf8_lossy(&line))? else { continue };
+        let (at, frame) = (entry.at, entry.frame);
         if printer.is_none()
             && let Some(tables) = Tables::sending(can_id(frame.id))
         {
@@ -102,82 +110,31 @@ fn live(options: &Options) -> Result<()> {
             found.head(&mut out)?;
             printer = Some(found);
         }
+        let clock = Clock { origin: recording.origin(), timed: recording.is_timed() };
         match &printer {
-            Some(printer) => printer.frame(&mut out, lines.origin, at, &frame, &mut tally)?,
+            Some(printer) => printer.frame(&mut out, clock, at, &frame, &mut tally)?,
             None => tally.unknown(can_id(frame.id), at),
         }
         // Whoever watches a live bus must see each frame at once.
         out.flush()?;
     }
-    lines.finish()?;
-    tally.bus_errors = lines.bus_errors;
+    recording.finish()?;
+    for note in recording.notes() {
+        eprintln!("stdin: {note}");
+    }
+    (tally.bus_errors, tally.untimed) = (recording.error_frames(), !recording.is_timed());
     let Some(printer) = printer else { bail!(vehicles::no_vehicle(tally.unknown.keys().copied())) };
     tally.report(printer.tables);
     Ok(())
 }
 
-/// Reads a recording that is still being written, one line at a time.
-#[derive(Default)]
-struct LineByLine {
-    /// Everything up to the first frame: it says which format this is.
-    head: String,
-    /// Lines read so far.
-    number: usize,
-    origin: Nanos,
-    last: Option<Nanos>,
-    /// Bus errors in the head, counted again with every line.
-    head_errors: usize,
-    bus_errors: usize,
-    /// Why the head is no recording yet.
-    pending: Option<LogError>,
-}
-
-impl LineByLine {
-    /// Longest head: the formats put a few lines before the first frame.
-    const HEAD_LINES: usize = 1_000;
-
-    /// Returns the frame of the next line, with its time since the first.
-    fn read(&mut self, line: &str) -> Result<Option<(Nanos, Frame)>, LogError> {
-        self.number += 1;
-        let Some(last) = self.last else { return self.read_head(line) };
-        let log = Log::parse("stdin", &format!("{}{line}\n", self.head))
-            .map_err(|error| LogError { line: self.number, ..error })?;
-        self.bus_errors += log.error_frames - self.head_errors;
-        // The head holds one frame; a second one is this line's.
-        let Some(entry) = log.entries.get(1) else { return Ok(None) };
-        if entry.at < last {
-            let problem = "time goes back; sort the log by time first".into();
-            return Err(LogError { file: "stdin".into(), line: self.number, problem });
-        }
-        self.last = Some(entry.at);
-        Ok(Some((entry.at, entry.frame)))
-    }
-
-    fn read_head(&mut self, line: &str) -> Result<Option<(Nanos, Frame)>, LogError> {
-        self.head.push_str(line);
-        self.head.push('\n');
-        match Log::parse("stdin", &self.head) {
-            Ok(log) => {
-                (self.origin, self.last) = (log.origin, Some(Nanos::ZERO));
-                (self.head_errors, self.bus_errors) = (log.error_frames, log.error_frames);
-                self.pending = None;
-                Ok(log.entries.first().map(|entry| (entry.at, entry.frame)))
-            }
-            Err(error) if error.line == self.number || self.number >= Self::HEAD_LINES => Err(error),
-            Err(error) => {
-                self.pending = Some(error);
-                Ok(None)
-            }
-        }
-    }
-
-    fn finish(&mut self) -> Result<(), LogError> {
-        let empty = || LogError { file: "stdin".into(), line: 0, problem: "the log holds no frame".into() };
-        match self.last {
-            Some(_) => Ok(()),
-            None => Err(self.pending.take().unwrap_or_else(empty)),
-        }
-    }
+/// The recorder's clock.
+#[derive(Clone, Copy)]
+struct Clock {
+    /// Time of the first frame, in nanoseconds since the recorder's epoch.
+    origin: i64,
+    /// There is one.
+    timed: bool,
 }
 
 /// What became of the frames.
@@ -190,6 +147,7 @@ struct Tally {
     remote: usize,
     bus_errors: usize,
     last: Nanos,
+    untimed: bool,
 }
 
 impl Tally {
@@ -209,7 +167,8 @@ impl Tally {
             tables.messages.len()
         );
         let span = short_seconds(self.last.0 / 1_000_000);
-        eprintln!("frames   {frames} in {span} s, {} decoded", self.decoded);
+        let span = if self.untimed { "without times".into() } else { format!("in {span} s") };
+        eprintln!("frames   {frames} {span}, {} decoded", self.decoded);
         if unknown > 0 {
             eprintln!("unknown  {unknown}: {}", listed(&self.unknown, ToString::to_string));
         }
@@ -322,6 +281,22 @@ impl Printer {
         }
     }
 
+    /// Returns a time as this form writes it, one that is missing too.
+    fn time(&self, clock: Clock, at: Nanos) -> String {
+        match (clock.timed, self.format) {
+            (true, _) if self.absolute => {
+                let nanos = i128::from(clock.origin) + i128::from(at.0);
+                let sign = if nanos < 0 { "-" } else { "" };
+                let micros = nanos.unsigned_abs() / 1_000;
+                format!("{sign}{}.{:06}", micros / 1_000_000, micros % 1_000_000)
+            }
+            (true, _) => seconds(at),
+            (false, Format::Text) => "-".into(),
+            (false, Format::Json) => "null".into(),
+            (false, Format::Csv) => String::new(),
+        }
+    }
+
     fn time_width(&self) -> usize {
         if self.absolute { 17 } else { 12 }
     }
@@ -329,7 +304,7 @@ impl Printer {
     fn frame(
         &self,
         out: &mut impl Write,
-        origin: Nanos,
+        clock: Clock,
         at: Nanos,
         frame: &Frame,
         tally: &mut Tally,
@@ -350,7 +325,7 @@ impl Printer {
         tally.decoded += 1;
         tally.heard.insert(frame.id);
         let data = frame.padded();
-        let time = if self.absolute { seconds(origin + at) } else { seconds(at) };
+        let time = self.time(clock, at);
         for &index in signals {
             let signal = &message.signals[index];
             if !message.carries(signal, data) {
@@ -470,52 +445,5 @@ mod tests {
     fn cells_with_commas_and_quotes_are_quoted() {
         assert_eq!(cell("on, \"really\""), "\"on, \"\"really\"\"\"");
         assert_eq!(cell("°C"), "°C");
-    }
-
-    fn read(lines: &[&str]) -> Vec<(u64, String)> {
-        let mut reader = LineByLine::default();
-        let mut frames = Vec::new();
-        for line in lines {
-            frames.extend(reader.read(line).unwrap().map(|(at, frame)| (at.as_micros(), frame.to_string())));
-        }
-        reader.finish().unwrap();
-        frames
-    }
-
-    #[test]
-    fn every_format_is_read_line_by_line() {
-        let expected = [(0, "0CF101A7#01".to_string()), (20_000, "123#0203".to_string())];
-        let logged = ["(1.0) can0 0CF101A7#01", "", "(1.02) can0 123#0203"];
-        let shown = [" (1.0)  can0  0CF101A7   [1]  01", " (1.02)  can0  123   [2]  02 03"];
-        let gvret = [
-            "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8",
-            "1000000,0CF101A7,true,Rx,0,1,01",
-            "1020000,00000123,false,Rx,0,2,02,03",
-        ];
-        let asc = [
-            "date Sun Nov 22 12:00:00 2026",
-            "base hex  timestamps absolute",
-            "   1.000000 1  0CF101A7x       Rx   d 1 01",
-            "   1.020000 1  123             Rx   d 2 02 03",
-        ];
-        assert_eq!(read(&logged), expected);
-        assert_eq!(read(&shown), expected);
-        assert_eq!(read(&gvret), expected);
-        assert_eq!(read(&asc), expected);
-    }
-
-    #[test]
-    fn a_bad_line_is_named_as_it_comes() {
-        let mut reader = LineByLine::default();
-        reader.read("(1.0) can0 123#00").unwrap();
-        let bad = reader.read("(2.0) can0 123#0").unwrap_err();
-        assert_eq!(bad.to_string(), "stdin:2: `0` is not pairs of hexadecimal digits");
-        let back = reader.read("(0.5) can0 123#00").unwrap_err();
-        assert_eq!(back.to_string(), "stdin:3: time goes back; sort the log by time first");
-    }
-
-    #[test]
-    fn a_stream_without_frames_is_an_error() {
-        assert_eq!(LineByLine::default().finish().unwrap_err().to_string(), "stdin: the log holds no frame");
     }
 }

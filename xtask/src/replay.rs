@@ -6,6 +6,7 @@
 //! range, and every fault that is noted. Pixels are the bench's business: `cargo xtask run`.
 
 use crate::decode::quiet_if_closed;
+use crate::recording::Choices;
 use crate::vehicles::{Tables, can_frame, short_seconds};
 use anyhow::{Result, bail};
 use bench::log::Log;
@@ -30,6 +31,8 @@ const LONGEST_GAP: Nanos = Nanos::from_secs(24 * 60 * 60);
 pub struct Options {
     /// Recording: candump, Vector ASC or GVRET CSV.
     file: PathBuf,
+    #[command(flatten)]
+    choices: Choices,
     /// Vehicle whose cluster to play; found from the identifiers heard if not given.
     #[arg(long)]
     vehicle: Option<String>,
@@ -43,7 +46,7 @@ pub struct Options {
 /// # Errors
 /// If the recording cannot be read or no vehicle fits it.
 pub fn run(options: &Options) -> Result<()> {
-    let log = Log::read_file(&options.file)?;
+    let log = options.choices.read(&options.file)?;
     let tables = Tables::of_log(&log, options.vehicle.as_deref())?;
     for pair in log.entries.windows(2) {
         if pair[1].at.since(pair[0].at) > LONGEST_GAP {

@@ -1,17 +1,20 @@
 //! Drives the real firmware on the virtual bench.
 
-use crate::vehicles::Tables;
+use crate::output::{self, Output};
+use crate::recording::Choices;
+use crate::vehicles::{Tables, short_seconds};
 use crate::{firmware, vehicle, workspace};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use bench::join::Members;
 use bench::join::adapter::Bridge;
-use bench::join::recorder::Recorder;
+use bench::join::recorder::{Receipt, Recorder};
 use bench::log::Log;
 use bench::rig::{Rig, RigOptions};
+use bench::rp2040::image;
 use bench::time::Nanos;
 use clap::Args;
+use protocol_core::link::Record;
 use std::fs::File;
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use virtual_vehicle::Kind;
@@ -38,6 +41,8 @@ pub struct Options {
     /// Plays this recording in a loop in place of a vehicle.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["vehicle", "set"])]
     log: Option<PathBuf>,
+    #[command(flatten)]
+    choices: Choices,
     /// Runs this ELF in place of building the firmware.
     #[arg(long)]
     elf: Option<PathBuf>,
@@ -59,6 +64,9 @@ pub struct Options {
     /// Writes the panel's last picture to this PNG file.
     #[arg(long, requires = "headless")]
     screenshot: Option<PathBuf>,
+    /// Lets `--record` and `--screenshot` replace files that are already there.
+    #[arg(long)]
+    overwrite: bool,
     /// Port of the local page; 0 takes any free one.
     #[arg(long, default_value_t = 8015)]
     port: u16,
@@ -70,7 +78,12 @@ pub struct Options {
 /// If the log or the ELF is wrong, the build fails, a tool cannot join the bus, or the firmware does what the bench does
 /// not model.
 pub fn run(options: &Options) -> Result<()> {
-    let log = options.log.as_ref().map(|path| Log::read_file(&from_root(path))).transpose()?;
+    let played = options.log.as_ref().map(|path| from_root(path));
+    if played.is_none() && options.choices != Choices::default() {
+        bail!("--channel, --times and --spacing-ms say how a recording is read; name one with --log FILE");
+    }
+    let outputs = Outputs::checked(options, played.as_deref())?;
+    let log = played.as_ref().map(|path| options.choices.read(path)).transpose()?;
     let kind = match log {
         Some(_) => None,
         None => Some(vehicle::named(&options.vehicle)?),
@@ -86,6 +99,8 @@ pub fn run(options: &Options) -> Result<()> {
             firmware::build(&firmware::Options { panel, crystal, vehicle: None })?.elf
         }
     };
+    // Said before anything is written.
+    image::load_elf(&elf)?;
     let rig_options = RigOptions {
         panel: panel(options.panel),
         crystal_hz: match options.crystal {
@@ -95,6 +110,7 @@ pub fn run(options: &Options) -> Result<()> {
         bitrate: bitrate(kind, log.as_ref()),
     };
     let (members, notes) = members(options, rig_options.bitrate)?;
+    let recorded = outputs.record.as_ref().map(|output| BusRecording::start(output, &members)).transpose()?;
     let recording = options.log.as_ref().map(|path| path.display().to_string());
     let (first, set) = (kind, options.set.clone());
     let page_elf = elf.clone();
@@ -122,13 +138,73 @@ pub fn run(options: &Options) -> Result<()> {
         return bench::page::serve(start, make);
     }
     let mut rig = make(kind)?;
-    let wall_seconds = drive(&mut rig, options)?;
-    if let Some(path) = &options.screenshot {
-        std::fs::write(path, rig.picture_png())
-            .with_context(|| format!("cannot write {}", path.display()))?;
+    let driven = drive(&mut rig, options, recorded.as_ref());
+    // What was on the bus at the very end, after the last turn; also of a run that went wrong.
+    rig.settle_members();
+    if let Some(recorded) = recorded {
+        recorded.finish()?;
+    }
+    let wall_seconds = driven?;
+    if let Some(screenshot) = &outputs.screenshot {
+        screenshot.write_whole(&rig.picture_png())?;
     }
     report(&rig, wall_seconds);
     Ok(())
+}
+
+/// The files that a run writes.
+struct Outputs {
+    record: Option<Output>,
+    screenshot: Option<Output>,
+}
+
+impl Outputs {
+    /// Checks them before the firmware is built and anything is written.
+    fn checked(options: &Options, played: Option<&Path>) -> Result<Self> {
+        let inputs: Vec<&Path> = played.into_iter().chain(options.elf.as_deref()).collect();
+        let record = options.record.as_ref().map(|path| Output::checked(path, options.overwrite, &inputs));
+        let record = record.transpose()?;
+        let inputs: Vec<&Path> = inputs.into_iter().chain(options.record.as_deref()).collect();
+        let screenshot = options.screenshot.as_ref().map(|path| {
+            let output = Output::checked(path, options.overwrite, &inputs)?;
+            output.try_whole().map(|()| output)
+        });
+        Ok(Self { record, screenshot: screenshot.transpose()? })
+    }
+}
+
+/// The bus as it is being recorded in a file.
+struct BusRecording {
+    path: PathBuf,
+    file: File,
+    receipt: Receipt,
+}
+
+impl BusRecording {
+    fn start(output: &Output, members: &Members) -> Result<Self> {
+        let file = output.create()?;
+        let path = output.path().to_owned();
+        let recorder =
+            Recorder::new(file.try_clone().with_context(|| format!("cannot write {}", path.display()))?);
+        let receipt = recorder.receipt();
+        members.add(recorder);
+        Ok(Self { path, file, receipt })
+    }
+
+    fn has_failed(&self) -> bool {
+        self.receipt.written().failure.is_some()
+    }
+
+    /// Says how much is in the file if the recording ended before the run.
+    fn finish(&self) -> Result<()> {
+        let written = self.receipt.written();
+        let Some(failure) = written.failure else { return Ok(()) };
+        let cut = match output::cut(&self.file, written.bytes) {
+            Ok(()) => String::new(),
+            Err(error) => format!(" ({error:#})"),
+        };
+        bail!("the recording in {} ended early: {failure}{cut}", self.path.display())
+    }
 }
 
 /// The headless run that the README promises, for `ci`.
@@ -141,6 +217,7 @@ pub fn headless_for_ci(screenshot: &Path) -> Result<()> {
         headless: true,
         seconds: 20.0,
         screenshot: Some(screenshot.to_owned()),
+        overwrite: true,
         ..Options::default()
     })
 }
@@ -159,8 +236,6 @@ fn bitrate(kind: Option<Kind>, log: Option<&Log>) -> u32 {
 fn members(options: &Options, bitrate: u32) -> Result<(Members, Vec<String>)> {
     let (members, mut notes) = (Members::default(), Vec::new());
     if let Some(path) = &options.record {
-        let file = File::create(path).with_context(|| format!("cannot write {}", path.display()))?;
-        members.add(Recorder::new(BufWriter::new(file)));
         notes.push(format!("the bus is recorded in {}", path.display()));
     }
     if let Some(interface) = &options.can {
@@ -200,18 +275,17 @@ fn open_terminal(_: &Members, _: u32) -> Result<Vec<String>> {
     )
 }
 
-/// Runs for the seconds asked for: as fast as it can, or in real time if somebody outside listens. Returns the time that
-/// it took, in seconds.
-fn drive(rig: &mut Rig, options: &Options) -> Result<f64> {
+/// Runs for the seconds asked for, or until the recording fails: as fast as it can, or in real time if somebody outside
+/// listens. Returns the time that it took, in seconds.
+fn drive(rig: &mut Rig, options: &Options, recorded: Option<&BusRecording>) -> Result<f64> {
     let (started, end) = (Instant::now(), Nanos((options.seconds * 1e9) as u64));
-    if !options.slcan && options.can.is_none() {
-        rig.run_for(end)?;
-        return Ok(started.elapsed().as_secs_f64());
-    }
-    while rig.now() < end {
-        rig.run_for(SLICE)?;
-        let ahead = Duration::from_nanos(rig.now().0).saturating_sub(started.elapsed());
-        std::thread::sleep(ahead);
+    let is_watched = options.slcan || options.can.is_some();
+    let slice = if is_watched || recorded.is_some() { SLICE } else { end };
+    while rig.now() < end && !recorded.is_some_and(BusRecording::has_failed) {
+        rig.run_for(slice.min(end.since(rig.now())))?;
+        if is_watched {
+            std::thread::sleep(Duration::from_nanos(rig.now().0).saturating_sub(started.elapsed()));
+        }
     }
     Ok(started.elapsed().as_secs_f64())
 }
@@ -236,9 +310,14 @@ fn report(rig: &Rig, wall_seconds: f64) {
         seconds / wall_seconds
     );
     println!(
-        "frames   {} on the bus for the cluster, {} received, {} lost",
-        counts.on_bus, counts.received, counts.lost
+        "frames   {} on the bus for the cluster, {} taken by its controller, {} lost",
+        counts.on_bus, counts.stored, counts.lost
     );
+    let health = rig.records().iter().rev().find(|(_, record)| matches!(record, Record::Health(_)));
+    if let Some((told, _)) = health {
+        let before = short_seconds(rig.now().since(*told).0 / 1_000_000);
+        println!("told     {} received, by its last report {before} s before the end", counts.received);
+    }
     for (name, value) in rig.shown_lines() {
         println!("shown    {name:24} {value}");
     }

@@ -157,7 +157,8 @@ impl From<&CanFrame> for Frame {
     }
 }
 
-/// `123#DEADBEEF`, `18FEF100#R8`: the notation of candump logs.
+/// `123#DEADBEEF`, `18FEF100#R8`: the notation of candump logs. A length code of 9 to 15 follows the eight bytes that it
+/// means: `123#0102030405060708_F`, `123#R8_9`.
 impl fmt::Display for Frame {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.id {
@@ -165,8 +166,9 @@ impl fmt::Display for Frame {
             Id::Extended(id) => write!(f, "{:08X}#", id.0)?,
         }
         if self.remote {
-            return write!(f, "R{}", self.dlc);
+            write!(f, "R{}", self.dlc.min(8))?;
         }
-        self.payload().iter().try_for_each(|byte| write!(f, "{byte:02X}"))
+        self.payload().iter().try_for_each(|byte| write!(f, "{byte:02X}"))?;
+        if self.dlc > 8 { write!(f, "_{:X}", self.dlc) } else { Ok(()) }
     }
 }

@@ -157,6 +157,12 @@ struct Member {
 
 impl Member {
     fn sit(&mut self, board: &mut BenchBoard) {
+        // What happened on the bus of a bench that is gone, after the last turn there.
+        if let Some((_, inbox)) = self.seat.take() {
+            for event in &std::mem::take(&mut *locked(&inbox)).events {
+                self.tool.hear(event);
+            }
+        }
         let (now, inbox) = (board.now(), Arc::default());
         let bus = board.bus_mut();
         let node = bus.attach_off(&self.tool.name());

@@ -8,6 +8,9 @@ use super::wire::Wire;
 use super::wire::tests::Memory;
 use super::*;
 use crate::can::{EventKind, Id};
+use crate::chips::bench_board::{CanWiring, PanelWiring, Wiring};
+use crate::chips::{mcp2515, panel};
+use crate::pins::{Board, InputPins};
 
 const BITRATE: u32 = 250_000;
 
@@ -260,6 +263,87 @@ fn a_recorder_writes_what_is_on_the_bus_and_acknowledges_nothing() {
     assert_eq!(lines.iter().map(|(_, frame)| *frame).collect::<Vec<_>>(), ["012#", "18FEF100#0102"]);
     let log = crate::log::Log::parse("recorded", &text).unwrap();
     assert_eq!(log.entries.len(), 2);
+}
+
+/// A board with a bus on which nobody has a seat yet.
+fn board() -> BenchBoard {
+    let wiring = Wiring {
+        can: CanWiring { spi: 0, cs: 17, int: 20 },
+        panel: PanelWiring { spi: 1, cs: 9, dc: 8, reset: None, backlight: None },
+        buzzer: None,
+        buttons: Vec::new(),
+        uart: 0,
+    };
+    BenchBoard::new(wiring, BITRATE, mcp2515::Config::default(), panel::Config::ILI9341)
+}
+
+/// A disk with room for so many bytes.
+struct Disk {
+    paper: Paper,
+    room: usize,
+}
+
+impl io::Write for Disk {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let fits = bytes.len().min(self.room);
+        if fits == 0 && !bytes.is_empty() {
+            return Err(io::ErrorKind::StorageFull.into());
+        }
+        self.room -= fits;
+        self.paper.write(&bytes[..fits])
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_full_disk_is_told_with_the_frames_that_are_whole_in_the_log() {
+    let paper = Paper::default();
+    let recorder = Recorder::new(Disk { paper: paper.clone(), room: 100 });
+    let receipt = recorder.receipt();
+    let (members, mut board) = (Members::default(), board());
+    members.add(recorder);
+    members.attach(&mut board);
+    let other = board.bus_mut().attach("other");
+    board.bus_mut().attach("third");
+    for byte in 0..5 {
+        board.bus_mut().request(other, Nanos::ZERO, extended(0x18FE_F100, &[byte]), Tag(9));
+    }
+    board.advance(TURN, &mut InputPins::default());
+    members.poll(&mut board);
+    let written = receipt.written();
+    let text = String::from_utf8(locked(&paper.0).clone()).unwrap();
+    assert_eq!((text.len(), written.frames), (100, 3), "{text}");
+    assert!(
+        text[..written.bytes as usize].ends_with('\n') && text[written.bytes as usize..].starts_with('(')
+    );
+    assert!(written.failure.is_some() && members.is_empty());
+    // What the disk took can be read as it is.
+    let log = crate::log::Log::parse("recorded", &text).unwrap();
+    assert_eq!((log.entries.len(), log.notes.len()), (3, 1));
+}
+
+#[test]
+fn a_recording_goes_on_over_a_bench_that_is_started_again() {
+    let (paper, members) = (Paper::default(), Members::default());
+    members.add(Recorder::new(paper.clone()));
+    for byte in 0..2 {
+        let mut board = board();
+        members.attach(&mut board);
+        let other = board.bus_mut().attach("other");
+        board.bus_mut().attach("third");
+        board.bus_mut().request(other, Nanos::from_millis(5), extended(0x18FE_F100, &[byte]), Tag(9));
+        // The bench is gone before the tools have a turn.
+        board.advance(TURN, &mut InputPins::default());
+    }
+    members.attach(&mut board());
+    members.poll(&mut board());
+    let log = crate::log::Log::parse("recorded", std::str::from_utf8(&locked(&paper.0)).unwrap()).unwrap();
+    let first_bytes: Vec<u8> = log.entries.iter().map(|entry| entry.frame.data[0]).collect();
+    assert_eq!(first_bytes, [0, 1]);
+    assert!(log.duration() > Nanos::from_millis(5) && log.notes.is_empty(), "{log:?}");
 }
 
 /// An adapter in memory: what it was given, what it has to give, how much it takes.

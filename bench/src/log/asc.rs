@@ -1,51 +1,163 @@
 //! Vector ASC: `   1.234567 1  18FEF100x       Rx   d 8 01 02 03 04 05 06 07 08`.
 //!
-//! Source: the text format as python-can writes and reads it; `base hex` and absolute time stamps only.
+//! Source: the text format as python-can, can-utils' asc2log and loggers of several makers write and read it. The head
+//! says whether numbers are hexadecimal and what the times count from. Events of other kinds (statistics, transport
+//! protocols, other buses) are no frames.
 
-use super::{Line, data_frame, identifier, payload, seconds};
+use super::line::{Event, Line};
+use super::times::Evidence;
+use super::token::{
+    CAN_FD, Stamp, coded_frame, data_length, hex, hex_byte, identifier, is_digits, payload, quoted, seconds,
+};
 use crate::can::Frame;
 
 /// First words of lines that carry no event.
-const HEADERS: &[&str] = &["date", "base", "internal", "no", "begin", "end", "//", "start", "measurement"];
+const HEADERS: &[&str] =
+    &["date", "internal", "no", "begin", "end", "//", "start", "measurement", "previous"];
 
-pub(super) fn looks_like(line: &str) -> bool {
-    line.starts_with("date ") || line.starts_with("base ")
+/// What the head of a file said.
+#[derive(Debug, Default)]
+pub(super) struct Asc {
+    /// Numbers are decimal.
+    decimal: bool,
+    times: Option<Evidence>,
 }
 
-pub(super) fn read(line: &str) -> Result<Line, String> {
-    let lower = line.to_ascii_lowercase();
+pub(super) fn looks_like(line: &str) -> bool {
+    let line = line.trim().to_ascii_lowercase();
     let words: Vec<&str> = line.split_whitespace().collect();
-    if let Some(base) = lower.strip_prefix("base ") {
-        return match base.split_whitespace().next() {
-            Some("hex") => Ok(Line::Nothing),
-            _ => Err("only `base hex` is known here".into()),
+    line.starts_with("date ")
+        || line.starts_with("base ")
+        || words.first().is_some_and(|time| seconds(time).is_ok()) && Parts::of(&words).is_some()
+}
+
+impl Asc {
+    pub(super) fn read(&mut self, line: &str) -> Result<Line, String> {
+        let lower = line.to_ascii_lowercase();
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let Some(first) = words.first() else { return Ok(Line::Blank) };
+        if lower.starts_with("base ") {
+            return self.read_base(&lower).map(|()| Line::Blank);
+        }
+        if HEADERS.iter().any(|header| lower.starts_with(header)) {
+            return Ok(Line::Blank);
+        }
+        if lower.ends_with("start of measurement") {
+            return Ok(Line::Blank);
+        }
+        let parts = Parts::of(&words);
+        let evidence = self.times.unwrap_or(Evidence::Nothing);
+        let at = seconds(first).map(|nanos| Stamp { nanos, evidence });
+        if parts.is_none() && at.is_err() {
+            return Ok(Line::Foreign(None));
+        }
+        let at = at?;
+        if words[1..].iter().any(|word| word.eq_ignore_ascii_case("errorframe")) {
+            let channel = words.get(1).map_or_else(String::new, |word| (*word).to_owned());
+            return Ok(Line::Event(Event { at: Some(at), channel, frame: None }));
+        }
+        if words.get(1) == Some(&"CANFD") {
+            return Err(CAN_FD.into());
+        }
+        let Some(Parts { channel, id, kind, rest }) = parts else { return Ok(Line::Foreign(Some(at))) };
+        let bare = id.strip_suffix(['x', 'X']);
+        let id = identifier(id, self.number(bare.unwrap_or(id)), bare.is_some())?;
+        let frame = match kind {
+            "d" | "D" => self.data_frame(id, rest)?,
+            "r" | "R" => Frame::new_remote(id, self.remote_length(rest)?),
+            other => return Err(format!("{} behind Rx or Tx; d is data, r a remote request", quoted(other))),
         };
+        Ok(Line::Event(Event { at: Some(at), channel, frame: Some(frame) }))
     }
-    if lower.starts_with("base") || words.is_empty() || HEADERS.iter().any(|header| lower.starts_with(header))
-    {
-        return Ok(Line::Nothing);
+
+    /// `base hex timestamps absolute`
+    fn read_base(&mut self, lower: &str) -> Result<(), String> {
+        let words: Vec<&str> = lower.split_whitespace().collect();
+        self.decimal = match words.get(1) {
+            Some(&"hex") => false,
+            Some(&"dec") => true,
+            _ => return Err("neither `base hex` nor `base dec`".into()),
+        };
+        self.times = match words[2..] {
+            [] => self.times,
+            ["timestamps", "absolute", ..] => Some(Evidence::Absolute),
+            ["timestamps", "relative", ..] => Some(Evidence::Delta),
+            _ => return Err("expected `timestamps absolute` or `timestamps relative` here".into()),
+        };
+        Ok(())
     }
-    let at = seconds(words[0])?;
-    if lower.contains("errorframe") {
-        return Ok(Line::BusError);
+
+    /// Reads an identifier in the file's base.
+    fn number(&self, text: &str) -> Option<u32> {
+        if !self.decimal {
+            return hex(text, 1..=8);
+        }
+        if is_digits(text) { text.parse().ok() } else { None }
     }
-    if words.get(1) == Some(&"CANFD") {
-        return Err("a CAN FD frame; only classic CAN is known here".into());
+
+    /// Reads a length code.
+    fn code(&self, text: &str) -> Option<u8> {
+        if !self.decimal {
+            return hex_byte(1..=1)(text);
+        }
+        let code = if is_digits(text) { text.parse().ok() } else { None };
+        code.filter(|code| *code <= 15)
     }
-    // Statistics, triggers and the like: an event of a channel that is not a frame.
-    let [_, channel, id, _direction, kind, rest @ ..] = &words[..] else { return Ok(Line::Nothing) };
-    if channel.parse::<u8>().is_err() || !matches!(*kind, "d" | "r") {
-        return Ok(Line::Nothing);
+
+    fn data_frame(&self, id: crate::can::Id, rest: &[&str]) -> Result<Frame, String> {
+        let length = rest.first().copied().unwrap_or("");
+        let code =
+            self.code(length).ok_or_else(|| format!("{} is not a length code of 0 to 15", quoted(length)))?;
+        let needed = data_length(code);
+        let words = rest.get(1..=needed).ok_or_else(|| format!("fewer than {needed} data bytes"))?;
+        let byte = |word: &str| {
+            if !self.decimal {
+                return hex_byte(2..=2)(word);
+            }
+            if is_digits(word) { word.parse().ok() } else { None }
+        };
+        coded_frame(id, code, &payload(words.iter().copied(), byte)?)
     }
-    let bare = id.strip_suffix(['x', 'X']);
-    let id = identifier(bare.unwrap_or(id), bare.is_some())?;
-    let length = match rest.first() {
-        Some(word) => usize::from_str_radix(word, 16).map_err(|_| format!("`{word}` is not a length"))?,
-        None => 0,
-    };
-    if *kind == "r" {
-        return Ok(Line::Frame(at, Frame::new_remote(id, length as u8)));
+
+    /// Reads the length of a remote request, which may be missing before `Length = 1704000 ...`.
+    fn remote_length(&self, rest: &[&str]) -> Result<u8, String> {
+        let is_attribute =
+            |word: &str| word.contains('=') || rest.get(1).is_some_and(|next| next.starts_with('='));
+        match rest.first() {
+            None => Ok(0),
+            Some(word) if is_attribute(word) => Ok(0),
+            Some(word) => {
+                self.code(word).ok_or_else(|| format!("{} is not a length code of 0 to 15", quoted(word)))
+            }
+        }
     }
-    let data = rest.get(1..1 + length).ok_or_else(|| format!("fewer than {length} data bytes"))?;
-    Ok(Line::Frame(at, data_frame(id, &payload(data.iter().copied())?)?))
+}
+
+/// A line that is meant as a frame, cut at the word `Rx` or `Tx`.
+struct Parts<'a> {
+    channel: String,
+    id: &'a str,
+    kind: &'a str,
+    rest: &'a [&'a str],
+}
+
+impl<'a> Parts<'a> {
+    /// `1.234567 1 18FEF100x Rx d ...`; `CAN 1` and `can1` are channels of other tools.
+    fn of(words: &'a [&'a str]) -> Option<Self> {
+        let at = words.iter().position(|word| matches!(word.to_ascii_lowercase().as_str(), "rx" | "tx"))?;
+        let (channel, id) = (words.get(1..at.checked_sub(1)?)?, words[at - 1]);
+        let kind = words.get(at + 1).copied().unwrap_or("");
+        let names_can = match channel {
+            [name] => is_digits(name) || name.get(..3).is_some_and(|head| head.eq_ignore_ascii_case("can")),
+            [name, number] => name.eq_ignore_ascii_case("can") && is_digits(number),
+            _ => return None,
+        };
+        let is_frame = names_can || matches!(kind, "d" | "D" | "r" | "R");
+        is_frame.then(|| Self {
+            channel: channel.join(" "),
+            id,
+            kind,
+            rest: words.get(at + 2..).unwrap_or(&[]),
+        })
+    }
 }

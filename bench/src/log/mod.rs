@@ -1,24 +1,42 @@
 //! Recordings of a CAN bus: reads the formats that people have, writes candump's.
 //!
 //! Reads `candump -l` logs, what candump prints on the screen, Vector ASC and GVRET/SavvyCAN CSV; the format is found
-//! from the lines themselves. A line that cannot be read is an error that names file and line; nothing is skipped
-//! silently. Error frames of a recording are counted, they carry no data.
+//! from the lines themselves, and a format that is recognised but not read is refused by its name. Every line is read,
+//! counted as no frame, or an error that names file and line: nothing is skipped silently. Error frames of a recording
+//! are counted, they carry no data.
+//!
+//! What a file does not tell is asked for, never guessed ([`Reading`]): which of several channels is meant, what the times
+//! count from, how far apart frames without times are. Clocks that go back by up to a tenth of a second are taken as the
+//! order in which a recorder emptied its buffers: such a frame keeps its place and takes the time of the one above.
 //! Not supported: CAN FD frames (an error that says so), binary formats (BLF, MF4): convert them with
 //! `python3 -m can.logconvert IN OUT.log`.
 
 mod asc;
 mod candump;
 mod gvret;
+mod line;
+mod live;
+mod others;
+mod placer;
+mod reader;
+mod times;
+mod token;
+
+pub use live::Live;
 
 use crate::can::Frame;
 use crate::time::Nanos;
+use line::Event;
+use placer::Placer;
+use reader::{Reader, Said};
+use std::collections::HashMap;
 use std::fmt;
 use std::path::Path;
 
 /// One recorded frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Time since the first frame of the recording.
+    /// Time since the first frame of the recording; zero if the recording has no times.
     pub at: Nanos,
     /// The frame.
     pub frame: Frame,
@@ -29,12 +47,48 @@ pub struct Entry {
 /// A whole recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Log {
-    /// Time of the first frame as the recorder wrote it (nanoseconds since its own epoch).
-    pub origin: Nanos,
+    /// Time of the first frame as the recorder wrote it, in nanoseconds since its own epoch; below zero in some files of
+    /// SavvyCAN's.
+    pub origin: i64,
+    /// The frames have times, the recorder's or evenly spaced ones.
+    pub timed: bool,
     /// The frames, ascending in time.
     pub entries: Vec<Entry>,
     /// Lines that record a bus error instead of a frame.
     pub error_frames: usize,
+    /// What its reader should know, one sentence each: lines left out, times mended.
+    pub notes: Vec<String>,
+}
+
+/// How to read a recording: what its file does not tell.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Reading {
+    /// The channel whose frames are meant; needed for a recording of several.
+    pub channel: Option<Channel>,
+    /// What the times count from; `None` = as the file tells or proves.
+    pub times: Option<Times>,
+    /// Time from frame to frame of a recording without times; `None` = such a recording is refused.
+    pub spacing: Option<Nanos>,
+    /// Takes a recording without times as it is: all at zero.
+    pub untimed: bool,
+}
+
+/// Which channels of a recording are meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Channel {
+    /// All of them as if they were one bus.
+    All,
+    /// The one of this name: the interface in candump's logs, the number of the bus in the others.
+    Named(String),
+}
+
+/// What the times of a recording count from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Times {
+    /// From a fixed moment, 1970 or the start of the recording.
+    Absolute,
+    /// From the line before.
+    Delta,
 }
 
 /// What is wrong with a recording, and where.
@@ -48,103 +102,34 @@ pub struct LogError {
     pub problem: String,
 }
 
+/// What a file says reaches the terminal with its control characters escaped.
 impl fmt::Display for LogError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (file, problem) = (token::printable(&self.file), token::printable(&self.problem));
         match self.line {
-            0 => write!(f, "{}: {}", self.file, self.problem),
-            line => write!(f, "{}:{line}: {}", self.file, self.problem),
+            0 => write!(f, "{file}: {problem}"),
+            line => write!(f, "{file}:{line}: {problem}"),
         }
     }
 }
 
 impl std::error::Error for LogError {}
 
-/// What one line of a recording says.
-enum Line {
-    /// A frame and the recorder's time of it.
-    Frame(Nanos, Frame),
-    /// A bus error.
-    BusError,
-    /// Nothing: empty, a comment or a header.
-    Nothing,
-}
-
-/// One format of recordings.
-struct Format {
-    /// Whether a line looks like it.
-    looks_like: fn(&str) -> bool,
-    read: fn(&str) -> Result<Line, String>,
-}
-
-const FORMATS: &[Format] = &[
-    Format { looks_like: candump::looks_logged, read: candump::read_logged },
-    Format { looks_like: gvret::looks_like, read: gvret::read },
-    Format { looks_like: asc::looks_like, read: asc::read },
-    Format { looks_like: candump::looks_shown, read: candump::read_shown },
-];
-
 impl Log {
-    /// Reads a file.
+    /// Reads a file that tells everything itself.
     ///
     /// # Errors
-    /// If the file is missing, is not text, or a line cannot be read.
+    /// Like [`Reading::file`].
     pub fn read_file(path: &Path) -> Result<Self, LogError> {
-        let file = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|error| LogError {
-            file: file.clone(),
-            line: 0,
-            problem: format!("cannot read the log: {error}"),
-        })?;
-        let text = String::from_utf8(bytes).map_err(|error| LogError {
-            line: 1 + error.as_bytes()[..error.utf8_error().valid_up_to()]
-                .iter()
-                .filter(|&&b| b == b'\n')
-                .count(),
-            file: file.clone(),
-            problem: "not a text log (BLF and MF4: `python3 -m can.logconvert IN OUT.log`)".into(),
-        })?;
-        Self::parse(&file, &text)
+        Reading::default().file(path)
     }
 
-    /// Reads the text of a recording; `file` is its name in errors.
+    /// Reads the text of a recording that tells everything itself; `file` is its name in errors.
     ///
     /// # Errors
-    /// If a line cannot be read, time goes back, or there is no frame at all.
+    /// Like [`Reading::text`].
     pub fn parse(file: &str, text: &str) -> Result<Self, LogError> {
-        let wrong = |line: usize, problem: String| LogError { file: file.to_owned(), line, problem };
-        let first =
-            text.lines().map(str::trim).find(|line| FORMATS.iter().any(|format| (format.looks_like)(line)));
-        let format = first.and_then(|line| FORMATS.iter().find(|format| (format.looks_like)(line)));
-        let Some(Format { read, .. }) = format else {
-            let line = text.lines().position(|line| !line.trim().is_empty()).map_or(0, |index| index + 1);
-            return Err(wrong(
-                line,
-                "not a CAN log that is known here (candump, Vector ASC, GVRET CSV)".into(),
-            ));
-        };
-        let mut log = Self { origin: Nanos::ZERO, entries: Vec::new(), error_frames: 0 };
-        let mut last = None;
-        for (index, line) in text.lines().enumerate() {
-            let (line, number) = (line.trim(), index + 1);
-            match read(line).map_err(|problem| wrong(number, problem))? {
-                Line::Nothing => {}
-                Line::BusError => log.error_frames += 1,
-                Line::Frame(at, frame) => {
-                    if last.is_some_and(|last| at < last) {
-                        return Err(wrong(number, "time goes back; sort the log by time first".into()));
-                    }
-                    last = Some(at);
-                    if log.entries.is_empty() {
-                        log.origin = at;
-                    }
-                    log.entries.push(Entry { at: at - log.origin, frame, line: number });
-                }
-            }
-        }
-        if log.entries.is_empty() {
-            return Err(wrong(0, "the log holds no frame".into()));
-        }
-        Ok(log)
+        Reading::default().text(file, text)
     }
 
     /// Returns the time from the first to the last frame.
@@ -158,47 +143,127 @@ impl Log {
     }
 }
 
+impl Reading {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// If the file is missing, is not text, or as for [`Reading::text`].
+    pub fn file(&self, path: &Path) -> Result<Log, LogError> {
+        let file = path.display().to_string();
+        let wrong = |problem: String| LogError { file: file.clone(), line: 0, problem };
+        let bytes = std::fs::read(path).map_err(|error| wrong(format!("cannot read the log: {error}")))?;
+        if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
+            return Err(wrong("UTF-16 text; save it as UTF-8".into()));
+        }
+        // Frames are ASCII in every format; what else a head holds may be in any encoding.
+        let text = String::from_utf8_lossy(&bytes);
+        if matches!(text, std::borrow::Cow::Owned(_)) && bytes.contains(&0) {
+            return Err(wrong("not a text log (BLF and MF4: `python3 -m can.logconvert IN OUT.log`)".into()));
+        }
+        self.text(&file, &text)
+    }
+
+    /// Reads the text of a recording; `file` is its name in errors.
+    ///
+    /// # Errors
+    /// If a line cannot be read, time goes back, there is no frame at all, or the file leaves open what this reading does
+    /// not say either.
+    pub fn text(&self, file: &str, text: &str) -> Result<Log, LogError> {
+        let mut reader = Reader::new(file);
+        let (mut said, mut stamps) = (Vec::new(), Vec::new());
+        for line in text.split_inclusive('\n') {
+            let Some(what) = reader.read(line)? else { continue };
+            let at = match &what {
+                Said::Event(event) => event.at,
+                Said::Time(at) => Some(*at),
+            };
+            stamps.extend(at.map(|at| (reader.number(), at)));
+            said.push((reader.number(), what));
+        }
+        let channel = self.channel_of(&said).map_err(|problem| reader.wrong(0, problem))?;
+        let times = match self.times {
+            Some(times) => times,
+            None => times::kind_of(&stamps).map_err(|(line, problem)| reader.wrong(line, problem))?,
+        };
+        let mut placer = Placer::new(self.clone(), channel, times);
+        let mut entries = Vec::new();
+        for (line, what) in said {
+            let placed = placer.place(what).map_err(|problem| reader.wrong(line, problem))?;
+            entries.extend(placed.map(|(at, frame)| Entry { at, frame, line }));
+        }
+        if entries.is_empty() {
+            return Err(reader.no_frames());
+        }
+        Ok(Log {
+            origin: placer.origin(),
+            timed: placer.is_timed(),
+            error_frames: placer.error_frames,
+            notes: notes(&reader, &placer),
+            entries,
+        })
+    }
+
+    /// Returns the channel to keep, `None` = every one.
+    fn channel_of(&self, said: &[(usize, Said)]) -> Result<Option<String>, String> {
+        // In the order in which they are first heard.
+        let (mut heard, mut places) = (Vec::<(&str, usize)>::new(), HashMap::new());
+        for (_, what) in said {
+            let Said::Event(event @ Event { frame: Some(_), .. }) = what else { continue };
+            let place = *places.entry(event.channel.as_str()).or_insert_with(|| {
+                heard.push((&event.channel, 0));
+                heard.len() - 1
+            });
+            heard[place].1 += 1;
+        }
+        let list = || {
+            let name = |(name, frames): &(&str, usize)| format!("{name}: {frames} frames");
+            let named: Vec<String> = heard.iter().take(CHANNELS_NAMED).map(name).collect();
+            let more = heard.len().saturating_sub(CHANNELS_NAMED);
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            named.join(", ") + &more
+        };
+        match &self.channel {
+            Some(Channel::All) => Ok(None),
+            Some(Channel::Named(name)) if heard.is_empty() || places.contains_key(name.as_str()) => {
+                Ok(Some(name.clone()))
+            }
+            Some(Channel::Named(name)) => Err(format!("no frame is of channel {name} ({})", list())),
+            None if heard.len() > 1 => {
+                Err(format!("the log has {} channels ({}); {CHOOSE}", heard.len(), list()))
+            }
+            None => Ok(None),
+        }
+    }
+}
+
+/// Channels that a message names; a recording has a handful, a damaged one may have any number.
+const CHANNELS_NAMED: usize = 8;
+/// What is said of a recording of several channels.
+const CHOOSE: &str = "choose one with `--channel NAME`, or mix them with `--channel all`";
+
+/// Returns what a reader of the recording should know.
+fn notes(reader: &Reader, placer: &Placer) -> Vec<String> {
+    let mut notes = Vec::new();
+    match reader.foreign {
+        0 => {}
+        1 => notes.push(format!("1 line is no frame: line {}", reader.first_foreign)),
+        n => notes.push(format!("{n} lines are no frames, the first is line {}", reader.first_foreign)),
+    }
+    if placer.of_others > 0 {
+        notes.push(format!("{} frames of other channels are left out", placer.of_others));
+    }
+    if let Some((late, by)) = placer.late() {
+        notes.push(format!("{late} frames are dated up to {by} before the one above and take its time"));
+    }
+    if reader.is_cut_off {
+        notes.push(format!("the last line is cut off; {} frames before it were read", placer.frames));
+    }
+    notes
+}
+
 /// Returns one line of a `candump -l` log.
 pub fn candump_line(at: Nanos, interface: &str, frame: &Frame) -> String {
     format!("({}.{:06}) {interface} {frame}", at.0 / 1_000_000_000, at.0 / 1_000 % 1_000_000)
-}
-
-/// Reads decimal seconds exactly: digits, a point, up to nine digits.
-fn seconds(text: &str) -> Result<Nanos, String> {
-    let wrong = || format!("`{text}` is not a time in seconds");
-    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
-    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    if !digits(whole) || !(fraction.is_empty() || digits(fraction)) || fraction.len() > 9 {
-        return Err(wrong());
-    }
-    let nanos: u64 = format!("{fraction:0<9}").parse().map_err(|_| wrong())?;
-    let whole =
-        whole.parse::<u64>().ok().and_then(|whole| whole.checked_mul(1_000_000_000)).ok_or_else(wrong)?;
-    whole.checked_add(nanos).map(Nanos).ok_or_else(wrong)
-}
-
-/// Reads an identifier in hexadecimal; `extended` says how many bits it has.
-fn identifier(text: &str, extended: bool) -> Result<crate::can::Id, String> {
-    let raw =
-        u32::from_str_radix(text, 16).map_err(|_| format!("`{text}` is not a hexadecimal identifier"))?;
-    let id = if extended {
-        crate::can::Id::extended(raw)
-    } else {
-        u16::try_from(raw).ok().and_then(crate::can::Id::standard)
-    };
-    id.ok_or_else(|| format!("identifier {text} has more than {} bits", if extended { 29 } else { 11 }))
-}
-
-/// Reads data bytes in hexadecimal, one word each.
-fn payload<'a>(words: impl Iterator<Item = &'a str>) -> Result<Vec<u8>, String> {
-    let byte = |word: &str| u8::from_str_radix(word, 16).map_err(|_| format!("`{word}` is not a data byte"));
-    words.map(byte).collect()
-}
-
-/// Makes a data frame of at most eight bytes.
-fn data_frame(id: crate::can::Id, data: &[u8]) -> Result<Frame, String> {
-    Frame::new(id, data)
-        .ok_or_else(|| format!("{} data bytes; a classic CAN frame has at most 8", data.len()))
 }
 
 #[cfg(test)]

@@ -1,3 +1,4 @@
+use super::times::UNDECIDED;
 use super::*;
 use crate::can::Id;
 
@@ -36,7 +37,7 @@ fn a_line_written_is_the_line_read() {
     let line = candump_line(Nanos(1_767_225_600_000_001_000), "can0", &frame);
     assert_eq!(line, "(1767225600.000001) can0 0CF101A7#01020304050607AB");
     let log = Log::parse("x.log", &line).unwrap();
-    assert_eq!((log.origin, log.entries[0].frame), (Nanos(1_767_225_600_000_001_000), frame));
+    assert_eq!((log.origin, log.entries[0].frame), (1_767_225_600_000_001_000, frame));
 }
 
 #[test]
@@ -48,18 +49,46 @@ fn remote_requests_are_kept_and_error_frames_are_counted() {
     assert_eq!((log.entries.len(), log.error_frames), (2, 1));
 }
 
+/// A remote request or a data frame with a length code of its own.
+fn coded(frame: Frame, dlc: u8) -> Frame {
+    Frame { dlc, ..frame }
+}
+
+#[test]
+fn every_frame_that_is_written_is_read_back() {
+    for id in [Id::standard(0x7FF).unwrap(), Id::extended(0x1FFF_FFFF).unwrap()] {
+        for dlc in 0..16 {
+            let data = coded(Frame::new(id, &BYTES[..usize::from(dlc.min(8))]).unwrap(), dlc);
+            for frame in [data, Frame::new_remote(id, dlc)] {
+                let line = candump_line(Nanos::ZERO, "can0", &frame) + "\n";
+                assert_eq!(frames(&line), [(0, frame)], "{line}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_bad_line_is_named_by_file_and_line() {
     let good = "(1.0) can0 123#01\n";
     let cases = [
         ("(2.0) can0 123#0\n", "x.log:2: `0` is not pairs of hexadecimal digits"),
+        ("(2.0) can0 123#+1+2\n", "x.log:2: `+1+2` is not pairs of hexadecimal digits"),
         ("(2.0) can0 123#010203040506070809\n", "x.log:2: 9 data bytes; a classic CAN frame has at most 8"),
+        ("(2.0) can0 123#0102_F\n", "x.log:2: 2 data bytes where the length says 8"),
+        ("(2.0) can0 123#0102030405060708_8\n", "x.log:2: `8` is not a length code of 9 to F"),
+        ("(2.0) can0 123#R255\n", "x.log:2: `R255` is not a remote request: R, R0 to R8, R8_9 to R8_F"),
         ("(2.0) can0 1234#01\n", "x.log:2: identifier `1234` has 4 digits; 3 for 11 bits, 8 for 29 bits"),
-        ("(2.0) can0 FFF#01\n", "x.log:2: identifier FFF has more than 11 bits"),
+        ("(2.0) can0 +12#01\n", "x.log:2: `+12` is not an identifier"),
+        ("(2.0) can0 FFF#01\n", "x.log:2: identifier `FFF` has more than 11 bits"),
         ("(2.x) can0 123#01\n", "x.log:2: `2.x` is not a time in seconds"),
+        ("(-2.0) can0 123#01\n", "x.log:2: `-2.0` is not a time in seconds"),
         ("(2.0) can0 123##101\n", "x.log:2: a CAN FD frame; only classic CAN is known here"),
-        ("(0.5) can0 123#01\n", "x.log:2: time goes back; sort the log by time first"),
-        ("what is this\n", "x.log:2: `what` is not a time in brackets"),
+        ("(2.0) can0 can1 123#01\n", "x.log:2: expected `(seconds) interface id#data`"),
+        ("2.0) can0 123#01\n", "x.log:2: expected `(seconds) interface id#data`"),
+        (
+            "(2026-01-31 15:16:25.481000) can0 123#01\n",
+            "x.log:2: `2026-01-31 15:16:25.481000` is a date; candump -ta writes seconds",
+        ),
     ];
     for (line, expected) in cases {
         assert_eq!(problem(&format!("{good}{line}")), expected);
@@ -67,20 +96,457 @@ fn a_bad_line_is_named_by_file_and_line() {
 }
 
 #[test]
+fn a_bad_line_of_the_screen_is_named_with_what_it_looks_like() {
+    let good = " (1.0)  can0  123   [1]  01\n";
+    let cases = [
+        (
+            "  can0  123   [2]  00000010 00000001\n",
+            "x.log:2: `00000010` is binary, as candump -i writes it; record without -i",
+        ),
+        (
+            "  can0  123   [2]  01`02\n",
+            "x.log:2: the bytes stand in reverse, as candump -S writes them; record without -S",
+        ),
+        ("  can0  123   [2]  +1 02\n", "x.log:2: `+1` is not a data byte"),
+        ("  can0  123   [2]  01\n", "x.log:2: 1 data bytes where the length says 2"),
+        ("  can0  123  [12]  01 02 03 04 05 06 07 08 09 0A 0B 0C\n", "x.log:2: a CAN FD frame"),
+        ("  can0  123   [255]  remote request\n", "x.log:2: `255` is not a length of 0 to 8"),
+        ("  can0  7E   [1]  01\n", "x.log:2: identifier `7E` has 2 digits"),
+        ("  can0  12G   [1]  01\n", "x.log:2: `12G` is not an identifier"),
+        ("  can0  RX  123   [1]  01\n", "x.log:2: `RX` between interface and identifier"),
+        ("  123   [1]  01\n", "x.log:2: no interface before the identifier"),
+        (" (1.0)  can0  123\n", "x.log:2: expected `interface id [length] data`"),
+        (" (1.0  can0  123   [1]  01\n", "x.log:2: the time has no closing bracket"),
+        ("  can0  123   [1]  01\n", "x.log:2: a line without a time, and those above have one"),
+        ("(1.0) can0 123#01\n", "x.log:2: a line of candump -l among lines of the screen"),
+    ];
+    for (line, expected) in cases {
+        let said = problem(&format!("{good}{line}"));
+        assert!(said.starts_with(expected), "{said}\n{expected}");
+    }
+}
+
+#[test]
+fn options_of_the_screen_are_read() {
+    let plain = Frame::new(Id::standard(0x123).unwrap(), &BYTES).unwrap();
+    let cases = [
+        (" (1.0)  can0  RX - -  123   [8]  01 02 03 04 05 06 07 AB\n", plain),
+        (" (1.0)  can0  TX B E  123   [8]  01 02 03 04 05 06 07 AB\n", plain),
+        (" (1.0)  can0  123   [8]  01 02 03 04 05 06 07 AB   '..[1]..'\n", plain),
+        (" (1.0)  can0  123   {F}  01 02 03 04 05 06 07 AB\n", coded(plain, 15)),
+        (" (1.0)  can0  123   [0]  remote request\n", Frame::new_remote(plain.id, 0)),
+    ];
+    for (line, frame) in cases {
+        assert_eq!(frames(line), [(0, frame)], "{line}");
+    }
+}
+
+#[test]
+fn what_candump_explains_of_an_error_frame_is_no_line_of_its_own() {
+    let text = " (1.0)  can0  123   [1]  01\n \
+                (1.1)  can0  20000088   [8]  00 00 08 00 00 00 00 00   ERRORFRAME\n\
+                \tprotocol-violation{{tx-dominant-bit-error}{}}\n\tbus-error\n \
+                (1.2)  can0  123   [1]  02\n";
+    let log = Log::parse("x.log", text).unwrap();
+    assert_eq!((log.entries.len(), log.error_frames, &log.notes[..]), (2, 1, &[][..]));
+}
+
+#[test]
+fn lines_that_are_no_frames_are_counted_and_said() {
+    let screen = "user@host:~$ candump -ta can0\n (1.0)  can0  123   [1]  01\n^Z\n[1]+  Stopped   candump can0\n\n \
+                  (2.0)  can0  123   [1]  02\n";
+    let logged = "$ cat x.log\n(1.0) can0 123#01\n(2.0) can0 123#02\n";
+    let asc = "base hex  timestamps absolute\n0.0 Start of measurement\n0.1 1 123 Rx d 1 01\n0.2 1 Statistic: D 0\n\
+               0.2 1 18FEF1x J1939TP FEF1p 6 0 0 - Rx d 2 01 02\n0.2 Li 3c Rx 8 00\n1.1 1 123 Rx d 1 02\n";
+    let gvret = "made with SavvyCAN\nTime Stamp,ID,Extended,Dir,Bus,LEN,D1\n1,123,false,Rx,0,1,01\n2,123,false,Rx,0,1,02\n";
+    for (text, note) in [
+        (screen, "3 lines are no frames, the first is line 1"),
+        (logged, "1 line is no frame: line 1"),
+        (asc, "3 lines are no frames, the first is line 4"),
+        (gvret, "1 line is no frame: line 1"),
+    ] {
+        let log = Log::parse("x.log", text).unwrap();
+        assert_eq!((log.entries.len(), &log.notes[..]), (2, &[note.to_owned()][..]), "{text}");
+    }
+}
+
+/// A file of Vector ASC with this base and kind of times.
+fn asc(base: &str, times: &str, events: &str) -> String {
+    format!("date Thu Apr 28 10:44:52.480 am 2022\nbase {base}  timestamps {times}\n{events}")
+}
+
+#[test]
+fn asc_frames_of_other_tools_are_read() {
+    let plain = Frame::new(Id::extended(0x0CF1_01A7).unwrap(), &BYTES).unwrap();
+    let bytes = "01 02 03 04 05 06 07 AB";
+    let cases = [
+        (format!("1.0 1 0CF101A7x Rx D 8 {bytes}"), plain),
+        (format!("1.0 300 CF101A7x Tx d 8 {bytes}"), plain),
+        (format!("1.0 can1 CF101A7X Rx d 8 {bytes} Length = 244016 BitCount = 125 ID = 217121191x"), plain),
+        (format!("1.0 CAN 1 CF101A7x Rx d 8 {bytes}"), plain),
+        (format!("1.0 1 CF101A7x Rx d D {bytes}"), coded(plain, 13)),
+        ("1.0 1 CF101A7x Tx r".into(), Frame::new_remote(plain.id, 0)),
+        ("1.0 1 CF101A7x Tx r 4".into(), Frame::new_remote(plain.id, 4)),
+        (
+            "1.0 1 CF101A7x Tx r Length = 1704000 BitCount = 145 ID = 256".into(),
+            Frame::new_remote(plain.id, 0),
+        ),
+        ("1.0 1 CF101A7x Tx r 8 Length=1704000".into(), Frame::new_remote(plain.id, 8)),
+    ];
+    for (line, frame) in cases {
+        assert_eq!(frames(&asc("hex", "absolute", &line)), [(0, frame)], "{line}");
+    }
+    let decimal = asc("dec", "absolute", "770.592543 7  217121191x  Rx D 8 1   2   3  4  5 6 7   171\n");
+    assert_eq!(frames(&decimal), [(0, plain)]);
+}
+
+#[test]
+fn an_asc_frame_that_cannot_be_read_is_named() {
+    let cases = [
+        ("1.0 1 123 Rx x 8 00", "`x` behind Rx or Tx; d is data, r a remote request"),
+        ("1.0 1 EngineData Rx d 1 00", "`EngineData` is not an identifier"),
+        ("1.0 1 123 Rx d ffffffffffffffff 00", "`ffffffffffffffff` is not a length code of 0 to 15"),
+        ("1.0 1 123 Rx d 2 00", "fewer than 2 data bytes"),
+        ("1.0 1 123 Rx d 1 00000001", "`00000001` is not a data byte"),
+        ("1.0 1 +12 Rx d 1 00", "`+12` is not an identifier"),
+        ("1.0 1 123 Rx r soon", "`soon` is not a length code of 0 to 15"),
+        ("1.x 1 123 Rx d 1 00", "`1.x` is not a time in seconds"),
+        ("1.0 CANFD 1 Rx 123 1 0 8 8 00", "a CAN FD frame; only classic CAN is known here"),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(problem(&asc("hex", "absolute", line)), format!("x.log:3: {expected}"));
+    }
+    assert_eq!(problem("base oct timestamps absolute\n"), "x.log:1: neither `base hex` nor `base dec`");
+    let unknown = "x.log:1: expected `timestamps absolute` or `timestamps relative` here";
+    assert_eq!(problem("base hex timestamps soon\n"), unknown);
+}
+
+fn times(text: &str) -> Vec<u64> {
+    frames(text).iter().map(|(at, _)| at / 1_000).collect()
+}
+
+#[test]
+fn relative_asc_times_are_added_up_over_every_event() {
+    let events = "0.0 Start of measurement\n0.1 1 123 Rx d 1 01\n0.1 1 123 Rx d 1 02\n0.05 1 Statistic: D 0\n\
+                  0.05 1 ErrorFrame\n0.1 1 123 Rx d 1 03\n0.0999 1 123 Rx d 1 04\n";
+    assert_eq!(times(&asc("hex", "relative", events)), [0, 100_000, 300_000, 399_900]);
+}
+
+/// Lines of candump's screen with these times.
+fn screen(times: &[&str]) -> String {
+    times.iter().map(|time| format!(" ({time})  can0  123   [1]  01\n")).collect()
+}
+
+#[test]
+fn times_that_may_count_from_the_line_before_are_decided_by_proof_only() {
+    // candump -td and -tz write the same form.
+    let growing: Vec<String> = (0..9).map(|n| format!("000.{:06}", n * 20_000)).collect();
+    let growing: Vec<&str> = growing.iter().map(String::as_str).collect();
+    let clock = screen(&growing);
+    assert_eq!(times(&clock).last(), Some(&160_000), "eight rises are a clock");
+    let late = clock + " (000.159000)  can0  123   [1]  01\n";
+    assert_eq!(times(&late).last(), Some(&160_000), "a clock that was read late once is still one");
+    let undecided = format!("x.log:1: {}", UNDECIDED);
+    assert_eq!(problem(&screen(&growing[..8])), undecided);
+    let constant = screen(&["000.000000", "000.020000", "000.020000", "000.020001"]);
+    assert_eq!(problem(&constant), undecided);
+    // Only the tools that write both fill up with zeros.
+    assert_eq!(times(&screen(&["123.000000", "123.020000"])), [0, 20_000]);
+    let jitter = screen(&["000.000000", "000.020012", "000.019988", "000.020001"]);
+    let said = problem(&jitter);
+    assert!(said.starts_with("x.log:3: time goes back: ") && said.contains("`--times delta`"), "{said}");
+    assert!(!said.contains("sort"), "{said}");
+
+    let said = |times, text: &str| {
+        let reading = Reading { times: Some(times), ..Reading::default() };
+        let log = reading.text("x.log", text).unwrap();
+        log.entries.iter().map(|entry| entry.at.as_micros()).collect::<Vec<_>>()
+    };
+    assert_eq!(said(Times::Delta, &jitter), [0, 20_012, 40_000, 60_001]);
+    assert_eq!(said(Times::Delta, &constant), [0, 20_000, 40_000, 60_001]);
+    assert_eq!(said(Times::Absolute, &constant), [0, 20_000, 20_000, 20_001]);
+}
+
+#[test]
+fn an_asc_file_without_a_head_needs_the_same_proof() {
+    let line = |time: u32| format!("{time}.0 1 123 Rx d 1 01\n");
+    let clock: String = (1..10).map(line).collect();
+    assert_eq!(times(&clock).last(), Some(&8_000_000));
+    assert!(problem(&line(1)).contains("`--times absolute` or `--times delta`"));
+}
+
+#[test]
+fn a_small_step_back_keeps_its_place_and_is_said() {
+    let text = "(1597294762.404524) can0 123#01\n(1597294762.409544) can0 123#02\n(1597294762.409540) can0 123#03\n\
+                (1597294762.409541) can0 123#04\n(1597294762.500000) can0 123#05\n";
+    let log = Log::parse("x.log", text).unwrap();
+    assert_eq!(times(text), [0, 5_020, 5_020, 5_020, 95_476]);
+    assert_eq!(log.entries[2].frame.data[0], 3);
+    assert_eq!(log.notes, ["2 frames are dated up to 0.000004 s before the one above and take its time"]);
+    let large = "(1597294762.5) can0 123#01\n(1597294762.3) can0 123#02\n";
+    assert_eq!(
+        problem(large),
+        "x.log:2: time goes back by 0.200000 s; cut the log here, or sort its lines by time"
+    );
+}
+
+#[test]
+fn gvret_times_below_zero_are_times() {
+    let text = "Time Stamp,ID,Extended,Dir,Bus,LEN,D1\n-1769872318259854,123,false,Rx,0,1,01\n\
+                -1769872318239852,123,false,Rx,0,1,0A\n";
+    assert_eq!(times(text), [0, 20_002]);
+    assert_eq!(Log::parse("x.csv", text).unwrap().origin, -1_769_872_318_259_854_000);
+}
+
+#[test]
+fn an_older_gvret_file_has_no_direction_and_short_bytes() {
+    let head = "\u{FEFF}Time Stamp,ID,Extended,Bus,DLC,D1,D2,D3,D4,D5,D6,D7,D8\n";
+    let frame = Frame::new(Id::standard(0x337).unwrap(), &[0xFF, 0]).unwrap();
+    assert_eq!(frames(&format!("{head}2124377,337,0,1,2,ff,0,0,0,0,0,0,0\n")), [(0, frame)]);
+    let cases = [
+        ("+1,337,0,1,1,ff", "`+1` is not a time in microseconds"),
+        ("1,+37,0,1,1,ff", "`+37` is not an identifier"),
+        ("1,2.00E+06,0,1,1,ff", "`2.00E+06` is not an identifier: a spreadsheet has rewritten it"),
+        ("1,0CF101A7,false,Rx,0,1,ff", "identifier `0CF101A7` has more than 11 bits"),
+        ("1,337,0,x,1,ff", "`x` in column Bus; a number"),
+        ("1,337,0,1,1,+f", "`+f` is not a data byte"),
+        ("1,337,0,1,1,00f", "`00f` is not a data byte"),
+        ("1,337,0,1,2,ff", "fewer than 2 data bytes"),
+        ("1,337,0,1,99999999999999999999,ff", "`99999999999999999999` is not a length"),
+        ("1,337", "expected `time,id,extended,direction,bus,length,bytes`"),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(problem(&format!("{head}{line}\n")), format!("x.log:2: {expected}"));
+    }
+}
+
+/// The same two frames on two channels, in every format that names channels.
+const TWO_CHANNELS: [(&str, &str, &str); 3] = [
+    ("(1.0) can0 123#01\n(2.0) can1 123#02\n(3.0) can1 123#02\n", "can0", "can1"),
+    (
+        "base hex  timestamps absolute\n1.0 1 123 Rx d 1 01\n2.0 2 123 Rx d 1 02\n3.0 2 123 Rx d 1 02\n",
+        "1",
+        "2",
+    ),
+    (
+        "Time Stamp,ID,Extended,Dir,Bus,LEN,D1\n1000000,123,false,Rx,0,1,01\n2000000,123,false,Rx,1,1,02\n\
+         3000000,123,false,Rx,1,1,02\n",
+        "0",
+        "1",
+    ),
+];
+
+#[test]
+fn channels_are_never_mixed_unasked() {
+    for (text, first, second) in TWO_CHANNELS {
+        assert_eq!(
+            problem(text),
+            format!("x.log: the log has 2 channels ({first}: 1 frames, {second}: 2 frames); {CHOOSE}")
+        );
+        let of = |channel| {
+            let reading = Reading { channel: Some(channel), ..Reading::default() };
+            reading.text("x.log", text)
+        };
+        let one = of(Channel::Named(second.into())).unwrap();
+        assert_eq!(one.entries.iter().map(|entry| entry.at.0).collect::<Vec<_>>(), [0, 1_000_000_000]);
+        assert!(one.entries.iter().all(|entry| entry.frame.data[0] == 2), "{text}");
+        assert_eq!(one.notes, ["1 frames of other channels are left out"]);
+        assert_eq!(of(Channel::All).unwrap().entries.len(), 3);
+        let none = of(Channel::Named("can7".into())).unwrap_err().to_string();
+        assert!(none.contains(&format!("no frame is of channel can7 ({first}: 1 frames")), "{none}");
+    }
+}
+
+#[test]
+fn gaps_are_added_up_over_the_channels_that_are_left_out() {
+    let text = " (000.000000)  can0  123   [1]  01\n (000.020000)  can1  123   [1]  02\n (000.030000)  can0  123   [1]  03\n";
+    let channel = Some(Channel::Named("can0".into()));
+    let reading = Reading { channel, times: Some(Times::Delta), ..Reading::default() };
+    let log = reading.text("x.log", text).unwrap();
+    assert_eq!(log.entries.iter().map(|entry| entry.at.as_micros()).collect::<Vec<_>>(), [0, 50_000]);
+}
+
+#[test]
+fn frames_without_times_are_refused_spaced_or_taken_as_they_are() {
+    let text = "  can0  123   [1]  01\n  can0  123   [1]  02\n  can0  123   [1]  03\n";
+    let said = problem(text);
+    assert!(
+        said.starts_with("x.log:1: the log has no times: ") && said.contains("`--spacing-ms N`"),
+        "{said}"
+    );
+    let spaced = Reading { spacing: Some(Nanos::from_millis(20)), ..Reading::default() };
+    let log = spaced.text("x.log", text).unwrap();
+    assert_eq!(log.entries.iter().map(|entry| entry.at.as_micros()).collect::<Vec<_>>(), [0, 20_000, 40_000]);
+    assert!(log.timed);
+    let untimed = Reading { untimed: true, ..Reading::default() }.text("x.log", text).unwrap();
+    assert!(!untimed.timed && untimed.entries.len() == 3);
+    let both = spaced.text("x.log", "(1.0) can0 123#01\n").unwrap_err().to_string();
+    assert_eq!(both, "x.log:1: the log has times of its own; leave `--spacing-ms` out");
+    let late = Reading { untimed: true, ..Reading::default() }
+        .text("x.log", "  can0  123   [1]  01\n (1.0)  can0  123   [1]  02\n");
+    assert_eq!(late.unwrap_err().to_string(), "x.log:2: a line with a time, and those above have none");
+}
+
+#[test]
+fn a_last_line_that_is_cut_off_costs_itself_only() {
+    let logged = "(1.0) can0 0CF101A7#0102030405060708\n(2.0) can0 0CF101A7#0102030405060708";
+    let shown = "  (1.0)  can0  123   [2]  01 02\n (2.0)  can0  123   [2]  01 02";
+    let asc =
+        "base hex  timestamps absolute\n1.000000 1  123  Rx   d 2 01 02\n2.000000 1  123  Rx   d 2 01 02";
+    let gvret = "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2\n1000,123,false,Rx,0,2,01,02,\n2000,123,false,Rx,0,2,01,02,";
+    for text in [logged, shown, asc, gvret] {
+        let start = text.rfind('\n').unwrap() + 1;
+        for end in start + 2..text.len() {
+            let log = Log::parse("x.log", &text[..end]).unwrap();
+            let said = &log.notes;
+            let is_whole = log.entries.len() == 2 && text[end..].trim_matches(',').is_empty();
+            let is_said = said.len() == 1
+                && (said[0] == "the last line is cut off; 1 frames before it were read"
+                    || said[0].contains("no frame"));
+            assert!(is_whole || log.entries.len() == 1 && is_said, "{:?}: {said:?}", &text[start..end]);
+        }
+        assert_eq!(Log::parse("x.log", text).unwrap().entries.len(), 2, "the end of line alone is no loss");
+    }
+    let inside = "(1.0) can0 123#01\n(2.0) can0 12\n(3.0) can0 123#01\n";
+    assert!(problem(inside).starts_with("x.log:2: "), "only the very last line may be cut off");
+    assert!(problem("(1.0) can0 12").starts_with("x.log:"), "nothing was read before it");
+}
+
+#[test]
+fn formats_that_are_not_read_are_refused_by_name() {
+    let cases = [
+        (";$FILEVERSION=1.1\n;\n     1)     17535.4  Rx     0CF101A7  8  D0 00\n", "1: a PCAN trace, "),
+        ("***BUSMASTER Ver 2.4.0***\n***[START LOGGING SESSION]***\n", "1: a BUSMASTER log"),
+        ("@ TEXT @ 3 @ 64 @ 0 @ 1 @\r# $LocalTime=11:19:54.5\r0,6\t1\t00000004\t123\t1\t00", "1: a CarBus"),
+        ("1632426775.935928 CXX OVMS CRTD\n", "1: a log of OVMS (CRTD)"),
+        ("1632426782.045940 1R11 123 D0 00\n", "1: a log of OVMS (CRTD)"),
+        ("ParserFlags\tCh\tCounter\tT/R\tTime\n", "1: a table with the columns ParserFlags"),
+        ("NO    Direction  Time Scale        Frame Type\n", "1: a table of a USB-CAN adapter's program"),
+        ("timestamp,arbitration_id,extended,remote,error,dlc,data\n", "1: a table of python-can's CSV"),
+        (
+            "=~=~ PuTTY log ~=~=\n\n(683.70) RX0 7E0 [8] D0 00 00 0A 50 FF 80 01\n",
+            "3: a serial log of Battery",
+        ),
+    ];
+    for (text, expected) in cases {
+        let said = problem(text);
+        assert!(said.starts_with(&format!("x.log:{expected}")), "{said}");
+        assert!(said.contains("not read here; "), "{said}");
+    }
+}
+
+#[test]
+fn what_a_file_says_cannot_steer_the_terminal() {
+    let said = problem("(1.0) can0 123#01\n(2.0) can0 123#\u{1b}[2J\u{202e}\n");
+    assert_eq!(said, "x.log:2: `\\u{1b}[2J\\u{202e}` is not pairs of hexadecimal digits");
+    let channel = "(1.0) can0 123#01\n(2.0) \u{1b}[2J 123#01\n";
+    assert!(!problem(channel).contains('\u{1b}'));
+    let long = problem(&format!("(1.0) can0 123#{}\n", "x".repeat(100_000)));
+    assert!(long.len() < 200, "{} bytes", long.len());
+}
+
+#[test]
 fn a_file_that_is_no_log_is_refused() {
     assert_eq!(
-        problem("hello\n"),
-        "x.log:1: not a CAN log that is known here (candump, Vector ASC, GVRET CSV)"
+        problem("\nhello\n"),
+        "x.log:2: not a CAN log that is known here (candump, Vector ASC, GVRET CSV)"
     );
-    assert!(problem("").contains("not a CAN log"));
+    assert!(problem("").contains("holds no frame"));
+    assert!(problem(&"hello\n".repeat(2_000)).starts_with("x.log:1: not a CAN log"));
     let missing = Log::read_file(Path::new("no/such.log")).unwrap_err().to_string();
     assert!(missing.starts_with("no/such.log: cannot read the log"), "{missing}");
 }
 
 #[test]
+fn the_encoding_of_a_file_is_no_hindrance_unless_it_is_binary() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.log");
+    let read = |bytes: &[u8]| {
+        std::fs::write(&path, bytes).unwrap();
+        Log::read_file(&path).map(|log| log.entries.len()).map_err(|error| error.problem)
+    };
+    assert_eq!(read(b"\xEF\xBB\xBF(1.000000) can0 123#01\n(1.020000) can0 123#02\n"), Ok(2));
+    assert_eq!(
+        read(b"date Die M\xE4r 1 2022\r\nbase hex timestamps absolute\r\n1.0 1 123 Rx d 1 00\r\n"),
+        Ok(1)
+    );
+    assert_eq!(read(b"\xFF\xFE(\x001\x00"), Err("UTF-16 text; save it as UTF-8".into()));
+    assert!(read(b"LOGG\x90\x00\x00\xFF").unwrap_err().contains("can.logconvert"));
+}
+
+/// Reads lines as they come and returns what was said at the first error, or the times and frames.
+fn live(reading: &Reading, lines: &[&str]) -> Result<Vec<(u64, String)>, String> {
+    let mut live = Live::new("stdin", reading);
+    let mut entries = Vec::new();
+    for line in lines {
+        entries.extend(live.read(line).map_err(|error| error.to_string())?);
+    }
+    live.finish().map_err(|error| error.to_string())?;
+    Ok(entries.iter().map(|entry| (entry.at.as_micros(), entry.frame.to_string())).collect())
+}
+
+#[test]
+fn every_format_is_read_line_by_line() {
+    let logged: &[&str] = &["(1.0) can0 0CF101A7#01\n", "\n", "(1.02) can0 123#0203\n"];
+    let shown = &[" (1.0)  can0  0CF101A7   [1]  01\n", " (1.02)  can0  123   [2]  02 03\n"];
+    let gvret = &[
+        "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2\n",
+        "1000000,0CF101A7,true,Rx,0,1,01\n",
+        "1020000,00000123,false,Rx,0,2,02,03\n",
+    ];
+    let asc = &[
+        "base hex  timestamps relative\n",
+        "   1.000000 1  0CF101A7x       Rx   d 1 01\n",
+        "   0.020000 1  123             Rx   d 2 02 03\n",
+    ];
+    for lines in [logged, shown, gvret, asc] {
+        let read = live(&Reading::default(), lines).unwrap();
+        assert_eq!(read, [(0, "0CF101A7#01".to_owned()), (20_000, "123#0203".to_owned())], "{lines:?}");
+    }
+}
+
+#[test]
+fn a_live_bus_with_errors_goes_on_and_its_end_may_be_cut_off() {
+    let mut live = Live::new("stdin", &Reading::default());
+    let lines = [
+        " (1.0)  can0  123   [1]  01\n",
+        " (1.1)  can0  20000088   [8]  00 00 08 00 00 00 00 00   ERRORFRAME\n",
+        "\tprotocol-violation{{tx-dominant-bit-error}{}}\n",
+        "\tbus-error\n",
+        "user@host\n",
+        " (1.2)  can0  123   [1]  02\n",
+        " (1.3)  can0  123   [1",
+    ];
+    let heard = lines.iter().filter_map(|line| live.read(line).unwrap()).count();
+    assert_eq!((heard, live.error_frames()), (2, 1));
+    let expected = ["1 line is no frame: line 5", "the last line is cut off; 2 frames before it were read"];
+    assert_eq!(live.notes(), expected);
+}
+
+#[test]
+fn a_live_bus_is_refused_where_it_leaves_open_what_is_meant() {
+    let short = [" (000.000000)  can0  123   [1]  01\n", " (000.020000)  can0  123   [1]  01\n"];
+    assert_eq!(live(&Reading::default(), &short), Err(format!("stdin:1: {}", UNDECIDED)));
+    let delta = Reading { times: Some(Times::Delta), ..Reading::default() };
+    assert_eq!(live(&delta, &short).unwrap()[1].0, 20_000);
+    let two = ["(1.0) can0 123#01\n", "(2.0) can1 123#02\n"];
+    let said = live(&Reading::default(), &two).unwrap_err();
+    assert_eq!(said, format!("stdin:2: a frame of can1 after frames of can0; {CHOOSE}"));
+    let named = Reading { channel: Some(Channel::Named("can1".into())), ..Reading::default() };
+    assert_eq!(live(&named, &two).unwrap(), [(0, "123#02".to_owned())]);
+    let all = Reading { channel: Some(Channel::All), ..Reading::default() };
+    assert_eq!(live(&all, &two).unwrap().len(), 2);
+    let bad = live(&Reading::default(), &["(1.0) can0 123#00\n", "(2.0) can0 123#0\n"]).unwrap_err();
+    assert_eq!(bad, "stdin:2: `0` is not pairs of hexadecimal digits");
+    assert_eq!(live(&Reading::default(), &[]).unwrap_err(), "stdin: the log holds no frame");
+}
+
+#[test]
 fn no_input_panics() {
-    let alphabet =
-        ["(", ")", "1.0", " can0 ", "123", "18FEF100", "#", "R", "\u{e9}", "[8]", "date ", ",", "\n", "00"];
+    let alphabet = [
+        "(", ")", "1.0", " can0 ", "123", "18FEF100", "#", "R", "\u{e9}", "[8]", "date ", ",", "\n", "00",
+        " Rx ", " d ",
+    ];
     let mut state = 1u32;
     for _ in 0..20_000 {
         let mut text = String::new();

@@ -1,0 +1,115 @@
+//! What the times of a recording count from, and the time that each frame gets.
+//!
+//! Times count from a fixed moment or from the line before. GVRET and the head of an ASC file say which; a candump line
+//! does not always: `-ta` writes ten digits before the point, `-td` (from the line before) and `-tz` (from the first
+//! line) both write three. Decided is only what the lines prove: gaps between frames do not grow for ever, so times
+//! that only rise are no gaps, and times that rise and fall are no clock. The rest has to be said.
+
+use super::Times;
+use super::token::Stamp;
+use crate::time::Nanos;
+
+/// A step back up to here is the order in which a recorder emptied its buffers, not another recording.
+const STEP_BACK_MAX: Nanos = Nanos::from_millis(100);
+/// Steps upwards that prove a clock. That nine gaps in a row happen to be sorted has a chance of one in 362 880.
+const RISES_OF_A_CLOCK: usize = 8;
+/// A clock that was read a little late now and then goes back in at most one of so many steps; gaps do in every other.
+const RISES_PER_FALL: usize = 8;
+
+/// What the form of a time says about what it counts from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Evidence {
+    /// From a fixed moment: the format says so.
+    Absolute,
+    /// From the line before: the file says so.
+    Delta,
+    /// Very likely from a fixed moment: candump writes gaps in another form.
+    Likely,
+    /// Nothing: the tool writes both alike.
+    Nothing,
+}
+
+/// Returns what the times of a recording count from, or the line and the reason why that cannot be told.
+pub(super) fn kind_of(stamps: &[(usize, Stamp)]) -> Result<Times, (usize, String)> {
+    let Some((first_line, first)) = stamps.first() else { return Ok(Times::Absolute) };
+    match first.evidence {
+        Evidence::Absolute => return Ok(Times::Absolute),
+        Evidence::Delta => return Ok(Times::Delta),
+        Evidence::Likely | Evidence::Nothing => {}
+    }
+    let steps = || stamps.windows(2).map(|pair| (pair[1].0, pair[1].1.nanos.cmp(&pair[0].1.nanos)));
+    let rises = steps().filter(|(_, step)| step.is_gt()).count();
+    let falls = steps().filter(|(_, step)| step.is_lt()).count();
+    let first_fall = steps().find(|(_, step)| step.is_lt());
+    if let Some((line, _)) = first_fall
+        && falls * RISES_PER_FALL > rises
+    {
+        let problem = "time goes back: if each time counts from the line before, as candump -td writes it, say \
+                       `--times delta`; if not, say `--times absolute`";
+        return Err((line, problem.into()));
+    }
+    if first.evidence == Evidence::Nothing && rises < RISES_OF_A_CLOCK {
+        return Err((*first_line, UNDECIDED.into()));
+    }
+    Ok(Times::Absolute)
+}
+
+/// What is said when nothing tells one kind of times from the other.
+pub(super) const UNDECIDED: &str = "times of this form count from the first line (candump -tz) or from the line before \
+                                    (candump -td), and nothing here tells which: say `--times absolute` or `--times \
+                                    delta`";
+
+/// Turns the times of a recording into times since its first frame.
+#[derive(Debug)]
+pub(super) struct Clock {
+    times: Times,
+    /// Sum of all gaps so far, in nanoseconds.
+    sum: i64,
+    origin: Option<i64>,
+    latest: i64,
+    /// Frames that were dated before the one above.
+    pub(super) late: usize,
+    /// The longest step back among them.
+    pub(super) latest_by: Nanos,
+}
+
+impl Clock {
+    pub(super) fn new(times: Times) -> Self {
+        Self { times, sum: 0, origin: None, latest: 0, late: 0, latest_by: Nanos::ZERO }
+    }
+
+    /// Time of the first frame, in nanoseconds since the recorder's epoch.
+    pub(super) fn origin(&self) -> i64 {
+        self.origin.unwrap_or(0)
+    }
+
+    /// Takes the time of a line, whatever the line says, and returns it as one that counts from a fixed moment.
+    pub(super) fn pass(&mut self, stamp: Stamp) -> Result<i64, String> {
+        match self.times {
+            Times::Absolute => Ok(stamp.nanos),
+            Times::Delta => {
+                let sum = self.sum.checked_add(stamp.nanos);
+                self.sum = sum.ok_or("the times add up to more than 292 years")?;
+                Ok(self.sum)
+            }
+        }
+    }
+
+    /// Returns the time since the first frame of a frame at `now`, which is never before that of the frame above.
+    pub(super) fn place(&mut self, now: i64) -> Result<Nanos, String> {
+        let origin = *self.origin.get_or_insert_with(|| {
+            self.latest = now;
+            now
+        });
+        if now < self.latest {
+            let back = Nanos(now.abs_diff(self.latest));
+            if back > STEP_BACK_MAX {
+                return Err(format!("time goes back by {back}; cut the log here, or sort its lines by time"));
+            }
+            self.late += 1;
+            self.latest_by = self.latest_by.max(back);
+        }
+        self.latest = self.latest.max(now);
+        Ok(Nanos(self.latest.abs_diff(origin)))
+    }
+}
