@@ -176,11 +176,14 @@ impl Cluster {
     fn decide(&mut self, inputs: &Inputs, now: Millis) {
         let gear = self.shown(Value::VehicleGear, now).value().and_then(Gear::from_model);
         let driving_gear = matches!(gear, Some(Gear::D | Gear::R | Gear::Forward(_)));
+        // Who may be upgraded is known, not guessed (JL-36): speed, gear and drive, each by a fresh value of its own.
         let standing = self.shown(Value::VehicleSpeed, now) == Shown::Value(0);
+        let parked = matches!(gear, Some(Gear::N | Gear::P));
+        let not_ready = self.shown(Value::VehicleReady, now) == Shown::Value(0);
         let odometer = i32::try_from(self.odometer.km8()).unwrap_or(i32::MAX);
         let decisions = [
             (Value::ClusterDriverLeft, flag(inputs.seat_empty && driving_gear)),
-            (Value::ClusterUpgradeForbidden, flag(!standing || driving_gear)),
+            (Value::ClusterUpgradeForbidden, flag(!(standing && parked && not_ready))),
             (Value::ClusterOdometer, Reading::Valid(odometer)),
             (Value::ClusterHardware, Reading::Valid(HARDWARE)),
             (Value::ClusterSoftware, Reading::Valid(SOFTWARE)),
