@@ -1,6 +1,8 @@
 //! Recognition of the vehicle and of its bit rate, with the identifiers of the real tables.
 
 use cluster::detect::{DISTINCT, Detector, Dial, Found, KEPT, Sureness};
+use cluster::own::Search;
+use cluster::view::Text;
 use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES, bus, c5ev, example, jiulong};
 use protocol_core::vehicle::{RxMessage, Vehicle};
 use protocol_core::{CanFrame, CanId, Millis};
@@ -146,6 +148,31 @@ fn a_vehicle_of_one_identifier_is_certain_only_after_it_has_kept_coming() {
     let mut times = (0..).step_by(50).map(Millis);
     let found = times.find_map(|now| detector.hear(&frame(ONLY), VEHICLE.bitrate, now));
     assert_eq!(found.map(|found| (found.sureness, found.at)), Some((Sureness::Certain, Millis(1_000))));
+}
+
+#[test]
+fn two_vehicles_that_are_both_likely_are_a_contradiction_and_neither_is_answered() {
+    let mut detector = Detector::new(SHIPPED_VEHICLES);
+    let mut times = (0..).step_by(50).map(Millis);
+    for id in [c5ev::id::VCU_TO_CLUSTER, jiulong::VEHICLE.ids[0]] {
+        for now in times.by_ref().take(30) {
+            detector.hear(&frame(id), 250_000, now);
+        }
+    }
+    assert_eq!(detector.found().map(|found| found.vehicle.name), Some("c5ev"));
+    let other = detector.contradiction(Millis(3_000)).map(|vehicle| vehicle.name);
+    assert_eq!((other, detector.may_answer()), (Some("jiulong"), false));
+}
+
+#[test]
+fn the_search_says_what_it_has_found_and_what_contradicts_it() {
+    let mut detector = Detector::new(SHIPPED_VEHICLES);
+    assert_eq!(detector.state(Millis(0)), Search::Listening);
+    hear(&mut detector, &bus::VEHICLE, bus::VEHICLE.ids, 100).expect("the bus");
+    let name = Text { zh: bus::VEHICLE.zh, en: bus::VEHICLE.en };
+    assert_eq!(detector.state(Millis(1_000)), Search::Found { name, at: Millis(120) });
+    hear(&mut detector, &jiulong::VEHICLE, &jiulong::VEHICLE.ids[..3], 2_000);
+    assert_eq!(detector.state(Millis(2_020)), Search::Contradicted);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use cluster::{Cluster, Inputs, Sound, Telltale};
 use protocol_core::generated::jiulong::VEHICLE;
-use protocol_core::model::{Gear, Severity, Shown};
+use protocol_core::model::{Severity, Shown};
 use protocol_core::{CanFrame, CanId, Millis};
 
 const VCU1: u32 = 0x1802_28D0;
@@ -64,7 +64,8 @@ fn speed(kmh: u8) -> [u8; 8] {
 #[test]
 fn jl_r013_level_1_is_the_worst_level_and_level_3_the_mildest() {
     // Byte 4 of VCU2: bits 1-0 motor, 3-2 battery, 5-4 vehicle controller; BMSStatus: the battery itself.
-    let sources: [(fn(u8) -> (u32, [u8; 8]), Telltale); 4] = [
+    type Report = fn(u8) -> (u32, [u8; 8]);
+    let sources: [(Report, Telltale); 4] = [
         (|raw| (VCU2, [1, 0, 0, raw, 0, 90, 0xFF, 0]), Telltale::MotorFault),
         (|raw| (VCU2, [1, 0, 0, raw << 2, 0, 90, 0xFF, 0]), Telltale::BatteryFault),
         (|raw| (VCU2, [1, 0, 0, raw << 4, 0, 90, 0xFF, 0]), Telltale::SystemFault),
