@@ -226,6 +226,8 @@ model! {
     VehicleRange "vehicle.range" Km8;
     /// Severity that the vehicle controller gives its own state, beside its fault report (JL-56).
     VehicleControllerLevel "vehicle.controller_level" Severity;
+    /// Severity of the battery's fault as the vehicle controller repeats it, beside the battery's own (JL-R013).
+    VehicleBatteryLevel "vehicle.battery_level" Severity;
     /// State of charge as the vehicle controller repeats it; the battery's own has precedence (JL-23).
     VehicleSoc "vehicle.soc" Permille;
     /// The vehicle controller asks for the buzzer.

@@ -13,6 +13,7 @@ use bench::rig::{Rig, RigOptions};
 use bench::rp2040::image;
 use bench::time::Nanos;
 use clap::Args;
+use protocol_core::generated::SHIPPED_VEHICLES;
 use protocol_core::link::Record;
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -96,7 +97,12 @@ pub fn run(options: &Options) -> Result<()> {
         Some(elf) => elf.clone(),
         None => {
             let (panel, crystal) = (options.panel, options.crystal);
-            firmware::build(&firmware::Options { panel, crystal, vehicle: None })?.elf
+            // An image holds no vehicle that is not shipped: its recording needs one that is built for it.
+            let recorded = log.as_ref().and_then(|log| Tables::of_log(log, None).ok());
+            let is_shipped = |name| SHIPPED_VEHICLES.iter().any(|vehicle| vehicle.name == name);
+            let vehicle = recorded.map(|tables| tables.vehicle.name).filter(|name| !is_shipped(*name));
+            let vehicle = vehicle.map(str::to_owned);
+            firmware::build(&firmware::Options { panel, crystal, vehicle })?.elf
         }
     };
     // Said before anything is written.

@@ -27,8 +27,12 @@ pub fn run(options: &Options) -> Result<()> {
 pub fn run_steps(steps: &mut Steps, arguments: &[String]) {
     let mut elfs = Vec::new();
     steps.run("firmware for the bench", || {
-        for panel in [firmware::Panel::Ili9341, firmware::Panel::St7789] {
-            elfs.push(firmware::build(&firmware::Options { panel, ..firmware::Options::default() })?.elf);
+        use firmware::Panel::{Ili9341, St7789};
+        for (panel, vehicle) in [(Ili9341, Some("example")), (St7789, None), (Ili9341, None)] {
+            let vehicle = vehicle.map(str::to_owned);
+            elfs.push(
+                firmware::build(&firmware::Options { panel, vehicle, ..firmware::Options::default() })?.elf,
+            );
         }
         Ok(())
     });
@@ -47,8 +51,9 @@ pub fn run_steps(steps: &mut Steps, arguments: &[String]) {
         if let Some(python) = &witness {
             command.env("WITNESS_PYTHON", python);
         }
-        if let [ili9341, st7789] = &elfs[..] {
+        if let [example, st7789, ili9341] = &elfs[..] {
             command.env("CLUSTER_ELF", ili9341).env("CLUSTER_ELF_ST7789", st7789);
+            command.env("CLUSTER_ELF_EXAMPLE", example);
         }
         workspace::run(&mut command)
     });

@@ -10,6 +10,7 @@ use crate::inputs::{self, Button, Controller, Inputs, flag};
 use crate::lamps::Lamps;
 use crate::limp;
 use crate::odometer::Odometer;
+use crate::own::Conditions;
 use crate::page::{CELLS, Contents, Count, Leaf, Page, Pages, Part, ROWS, Situation, parts_of};
 use crate::press::{Press, Push};
 use crate::reception::{Counters, Facts, MAX_MESSAGES, Nodes, Received, Reception};
@@ -56,6 +57,7 @@ pub struct Cluster {
     buttons: (Press, Press),
     pages: Pages,
     controller: Option<Controller>,
+    conditions: Conditions,
     silent: Nodes,
     /// Time of the first tick.
     started: Option<Millis>,
@@ -87,6 +89,7 @@ impl Cluster {
             buttons: (Press::new(), Press::new()),
             pages: Pages::new(),
             controller: None,
+            conditions: Conditions { controller_missing: false, restart: None, search: None },
             silent: Nodes::NONE,
             started: None,
             listening: None,
@@ -129,7 +132,7 @@ impl Cluster {
         self.started.get_or_insert(now);
         let listening = *self.listening.get_or_insert(now);
         self.feel(inputs, now);
-        self.controller = inputs.controller;
+        (self.controller, self.conditions) = (inputs.controller, inputs.conditions);
         inputs::file(inputs, &mut self.reception.readings);
         self.silent = self.reception.silent_nodes(self.vehicle, listening, BOOT_MS, now);
         self.measure(now);
@@ -173,11 +176,14 @@ impl Cluster {
     fn decide(&mut self, inputs: &Inputs, now: Millis) {
         let gear = self.shown(Value::VehicleGear, now).value().and_then(Gear::from_model);
         let driving_gear = matches!(gear, Some(Gear::D | Gear::R | Gear::Forward(_)));
+        // Who may be upgraded is known, not guessed (JL-36): speed, gear and drive, each by a fresh value of its own.
         let standing = self.shown(Value::VehicleSpeed, now) == Shown::Value(0);
+        let parked = matches!(gear, Some(Gear::N | Gear::P));
+        let not_ready = self.shown(Value::VehicleReady, now) == Shown::Value(0);
         let odometer = i32::try_from(self.odometer.km8()).unwrap_or(i32::MAX);
         let decisions = [
             (Value::ClusterDriverLeft, flag(inputs.seat_empty && driving_gear)),
-            (Value::ClusterUpgradeForbidden, flag(!standing || driving_gear)),
+            (Value::ClusterUpgradeForbidden, flag(!(standing && parked && not_ready))),
             (Value::ClusterOdometer, Reading::Valid(odometer)),
             (Value::ClusterHardware, Reading::Valid(HARDWARE)),
             (Value::ClusterSoftware, Reading::Valid(SOFTWARE)),
@@ -387,6 +393,8 @@ impl Cluster {
         let current = shown(Value::BatteryCurrent);
         let power = self.power(now);
         let known = |value| self.reception.last_known(value);
+        let faults = self.faults.line(self.vehicle, &self.timers, now);
+        let line = self.conditions.beside(faults, self.faults.misses_a_node(), now);
         let is_bulb_check = self.started.is_none_or(|started| now.since(started) < BULB_CHECK_MS);
         View {
             speed_kmh: shown(Value::VehicleSpeed)
@@ -414,8 +422,8 @@ impl Cluster {
             hv_off_s: self.timers.hv_off.countdown_s(now),
             page: self.page(now),
             telltales: if is_bulb_check { Telltales::ALL } else { self.lamps.lit() },
-            severity: self.faults.worst(),
-            line: self.faults.line(self.vehicle, &self.timers, now),
+            severity: self.faults.worst().max(line.map_or(Severity::None, |line| line.severity)),
+            line,
             heartbeat: (now.0 / HEARTBEAT_MS) % 2 == 1,
             language: self.settings.language,
             theme: self.settings.theme,

@@ -13,13 +13,14 @@
 //! | a level comes before its code       | the old code stands beside it until the next one comes         |
 //! | the source falls silent             | STOP stays, the rest goes                                      |
 //! | the driver acknowledges             | the sound ends, the line stays                                 |
+//! | a fault is reported by two routes   | one line, one sound, one entry: those of the worse report      |
 //!
 //! Source: BUS-R027 to BUS-R029, BUS-R033, BUS-R079; readings BUS-33, BUS-77, BUS-112, BUS-113, BUS-116; JL-R013.
 
 use crate::chime::Sound;
 use crate::history::History;
 use crate::reception::Facts;
-use crate::sources::{FORWARDED, ROWS, Report, Row, code_of};
+use crate::sources::{ROWS, Report, Row, code_of};
 use crate::texts;
 use crate::timers::Timers;
 use crate::view::{ActiveFault, Line};
@@ -106,7 +107,7 @@ impl Faults {
     pub(crate) fn tick(&mut self, facts: &Facts<'_>) {
         self.watch_for_fire(facts);
         for (index, row) in (0u8..).zip(ROWS) {
-            match row.report(facts, |code| self.is_forwarded(code)) {
+            match row.report(facts) {
                 Report::Fault(severity, code) => self.report(index, row, severity, code, facts.now),
                 Report::Bits(bits) => self.report_bits(index, row, bits, facts),
                 Report::Clear => self.active.retain(|fault| fault.row != index),
@@ -140,18 +141,23 @@ impl Faults {
     }
 
     fn present(&mut self, index: u8, row: &Row, severity: Severity, code: Option<u16>, now: Millis) {
+        let other = self.other_route(index, code).copied();
+        // How bad it was by that route when the driver acknowledged it: no worse, it makes no sound again.
+        let acknowledged = other.filter(|other| other.heard).map(|other| other.severity);
         if let Some(fault) = self.active.iter_mut().find(|fault| fault.is_same(index, code)) {
-            if fault.code != code {
-                self.history.came(row.source, code, severity, now);
-            } else if severity > fault.severity {
-                self.history.worsened(row.source, code, severity);
+            if fault.code != code
+                || severity > fault.severity && !self.history.worsened(row.source, code, severity)
+            {
+                Self::note(&mut self.history, row, code, severity, other, now);
             }
             fault.heard &= severity <= fault.severity;
+            fault.heard |= acknowledged.is_some_and(|worst| severity <= worst);
             fault.lags |= row.code_lags && severity != fault.severity;
             (fault.severity, fault.code, fault.last) = (severity, code, now);
             return;
         }
-        let fault = Fault { row: index, code, severity, first: now, last: now, heard: false, lags: false };
+        let heard = acknowledged.is_some_and(|worst| severity <= worst);
+        let fault = Fault { row: index, code, severity, first: now, last: now, heard, lags: false };
         if self.active.is_full() {
             let mildest = self.active.iter().enumerate().min_by_key(|(_, fault)| fault.severity);
             match mildest.map(|(place, mildest)| (place, mildest.severity)) {
@@ -159,16 +165,34 @@ impl Faults {
                 _ => return,
             }
         }
-        self.history.came(row.source, code, severity, now);
+        Self::note(&mut self.history, row, code, severity, other, now);
         let place = self.active.iter().position(|other| other.order() > fault.order());
         // Neither can fail: there is room, and the place is within the list.
         let _ = self.active.insert(place.unwrap_or(self.active.len()), fault);
     }
 
+    /// Notes a fault that has come: anew, or in the entry that its other route has made.
+    fn note(
+        history: &mut History,
+        row: &Row,
+        code: Option<u16>,
+        severity: Severity,
+        other: Option<Fault>,
+        now: Millis,
+    ) {
+        let mut has_entry = |source| history.worsened(source, code, severity);
+        let is_noted = other
+            .and_then(|other| other.row())
+            .is_some_and(|other| has_entry(other.source) || has_entry(row.source));
+        if !is_noted {
+            history.came(row.source, code, severity, now);
+        }
+    }
+
     /// Gives the line to the next fault of the worst severity if its time has come or its fault is gone.
     fn take_turn(&mut self, now: Millis) {
         let worst = self.worst_active();
-        let mut shown = self.active.iter().filter(|fault| fault.severity == worst);
+        let mut shown = self.told().filter(|fault| fault.severity == worst);
         let turn = self.turn.filter(|turn| turn.severity == worst);
         let place = turn.and_then(|turn| shown.clone().position(|fault| fault.is_same(turn.row, turn.code)));
         let (place, since) = match (turn, place) {
@@ -179,22 +203,33 @@ impl Faults {
             (None, None) => (0, now),
         };
         let place = if place < shown.clone().count() { place } else { 0 };
-        self.turn = shown.nth(place).map(|fault| Turn {
-            row: fault.row,
-            code: fault.code,
-            severity: worst,
-            place,
-            since,
-        });
+        let next = shown.nth(place).map(|fault| (fault.row, fault.code));
+        drop(shown);
+        self.turn = next.map(|(row, code)| Turn { row, code, severity: worst, place, since });
     }
 
     fn worst_active(&self) -> Severity {
         self.active.iter().map(|fault| fault.severity).max().unwrap_or_default()
     }
 
-    /// Returns whether the vehicle reports `code`.
-    fn is_forwarded(&self, code: u16) -> bool {
-        self.active.iter().any(|fault| fault.row == FORWARDED && fault.code == Some(code))
+    /// Returns the report of the same fault by its other route.
+    fn other_route(&self, row: u8, code: Option<u16>) -> Option<&Fault> {
+        self.active.iter().find(|other| {
+            let repeats =
+                |repeat: u8, row: u8| ROWS.get(usize::from(repeat)).is_some_and(|it| it.repeats == Some(row));
+            other.code == code && (repeats(row, other.row) || repeats(other.row, row))
+        })
+    }
+
+    /// Returns the active faults that are told, each once: of two routes the worse.
+    fn told(&self) -> impl Iterator<Item = &Fault> + Clone {
+        self.active.iter().filter(|fault| {
+            let rank = |fault: &Fault, other: &Fault| {
+                (fault.severity, fault.row().is_none_or(|row| row.repeats != Some(other.row)))
+            };
+            self.other_route(fault.row, fault.code)
+                .is_none_or(|other| rank(fault, other) > rank(other, fault))
+        })
     }
 
     /// Silences every fault that is active now.
@@ -215,7 +250,7 @@ impl Faults {
             return Some(Sound::Fire);
         }
         let audible = |fault: &&Fault| !fault.heard && fault.row().is_some_and(|row| row.sounds);
-        match self.active.iter().filter(audible).map(|fault| fault.severity).max()? {
+        match self.told().filter(audible).map(|fault| fault.severity).max()? {
             Severity::None => None,
             Warn => Some(Sound::Warn),
             Derate => Some(Sound::Derate),
@@ -229,7 +264,7 @@ impl Faults {
             return Some(Line { severity: Stop, text: texts::FIRE, code: self.fire, position: 1, count: 1 });
         }
         let turn = self.turn?;
-        let shown = self.active.iter().filter(|fault| fault.severity == turn.severity);
+        let shown = self.told().filter(|fault| fault.severity == turn.severity);
         let fault = shown.clone().nth(turn.place)?;
         let row = fault.row()?;
         Some(Line {
@@ -241,6 +276,12 @@ impl Faults {
         })
     }
 
+    /// Returns whether the line only says that a node is missing.
+    pub(crate) fn misses_a_node(&self) -> bool {
+        let row = self.turn.and_then(|turn| ROWS.get(usize::from(turn.row)));
+        self.fire.is_none() && row.is_some_and(Row::misses_a_node)
+    }
+
     /// Returns whether an active fault means that the vehicle limps.
     pub(crate) fn limps(&self, vehicle: &Vehicle) -> bool {
         self.active.iter().any(|fault| fault.row().is_some_and(|row| row.limps(fault, vehicle)))
@@ -248,7 +289,7 @@ impl Faults {
 
     /// Returns how many faults are active.
     pub(crate) fn count(&self) -> usize {
-        self.active.len()
+        self.told().count()
     }
 
     /// Returns every active fault, in the order of the table.
@@ -258,7 +299,7 @@ impl Faults {
         timers: &'a Timers,
         now: Millis,
     ) -> impl Iterator<Item = ActiveFault> + 'a {
-        self.active.iter().filter_map(move |fault| {
+        self.told().filter_map(move |fault| {
             let row = fault.row()?;
             Some(ActiveFault {
                 source: row.source,

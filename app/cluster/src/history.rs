@@ -221,11 +221,10 @@ impl History {
         let _ = self.entries.push_back(entry);
     }
 
-    /// Notes how bad a fault has become that is still there.
-    pub(crate) fn worsened(&mut self, source: Source, code: Option<u16>, severity: Severity) {
-        if let Some(entry) = self.find_mut(source, code) {
-            entry.severity = entry.severity.max(severity);
-        }
+    /// Notes how bad a fault has become that is still there; returns whether it has an entry.
+    pub(crate) fn worsened(&mut self, source: Source, code: Option<u16>, severity: Severity) -> bool {
+        let entry = self.find_mut(source, code);
+        entry.map(|entry| entry.severity = entry.severity.max(severity)).is_some()
     }
 
     fn find_mut(&mut self, source: Source, code: Option<u16>) -> Option<&mut Entry> {

@@ -4,6 +4,7 @@
 //! messages read them like anything else. Refuses to know pins, dividers and debouncing of hardware.
 //! Source: bus document, Meter1 BYTE1 to BYTE7; BUS-R128, BUS-94 to BUS-96.
 
+use crate::own::Conditions;
 use protocol_core::link::CanState;
 use protocol_core::model::{Reading, Readings, Value};
 
@@ -117,6 +118,8 @@ pub struct Inputs {
     pub buttons: Buttons,
     /// The CAN controller; `None` = there is none to ask.
     pub controller: Option<Controller>,
+    /// What the instrument knows of itself.
+    pub conditions: Conditions,
 }
 
 /// The model value that an input is filed as, and how it is read.

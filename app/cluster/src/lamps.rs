@@ -3,7 +3,7 @@
 //! Owns the table and the memory that hysteresis and silence need. A lamp lights when one of its rows does. Silence
 //! darkens what is healthy or harmless and keeps what warns as it last was (BUS-108). Colours and places are in
 //! `telltale`; the bulb check lies over this, so a real fault stays lit when it ends.
-//! Source: BUS-R022 to BUS-R025, BUS-R096, BUS-39, BUS-75, BUS-108 to BUS-111, BUS-R128; C5-R012; readings JL-23, JL-24,
+//! Source: BUS-R022 to BUS-R025, BUS-R096, BUS-39, BUS-75, BUS-108 to BUS-111, BUS-R128; C5-R012; JL-R013; readings JL-23, JL-24,
 //! JL-56, C5-34; GB 7258 (air pressure).
 
 use crate::reception::Facts;
@@ -78,6 +78,7 @@ const ROWS: &[Row] = rows! {
     SystemFault Keeps: AtLeast(Value::VehicleFaultLevel, 1), unless sent VehicleFault;
     SystemFault Keeps: AtLeast(Value::VehicleControllerLevel, 1);
     BatteryFault Keeps: AtLeast(Value::BatteryFaultLevel, 1);
+    BatteryFault Keeps: AtLeast(Value::VehicleBatteryLevel, 1);
     BatteryFault Keeps: Is(Value::BatteryFault, 1);
     BatteryFault Keeps: Is(Value::BatterySmoke, 1);
     MotorFault Keeps: Is(Value::MotorFault, 1);

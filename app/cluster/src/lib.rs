@@ -5,7 +5,7 @@
 //!
 //! Where a rule lives: `sources` (what puts a line on the screen), `lamps` (telltales), `chime` (sounds), `inputs` (own
 //! wires), `texts` (all words), each a table; `hv_off`, `limp`, `charger`, `hvac`, `buzzer`, `reverse` (timing), each a
-//! small machine; `page` (which page, what turns it).
+//! small machine; `own` (what the instrument says of itself); `page` (which page, what turns it).
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -24,6 +24,7 @@ pub mod inputs;
 mod lamps;
 mod limp;
 mod odometer;
+pub mod own;
 pub mod page;
 mod press;
 mod reception;
@@ -41,6 +42,7 @@ pub use chime::{Chime, Sound};
 pub use cluster::Cluster;
 pub use history::{Entry, Source};
 pub use inputs::{Button, Buttons, Controller, Doors, Inputs, Key, Lights};
+pub use own::Conditions;
 pub use page::Page;
 pub use reception::{Counters, MAX_MESSAGES, Received};
 pub use telltale::{Lamp, Telltale, Telltales};

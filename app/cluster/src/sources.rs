@@ -79,8 +79,9 @@ pub(crate) struct Row {
     pub(crate) rotates: bool,
     /// Level and code come in messages of their own: for a while a new level stands beside the code of the old one.
     pub(crate) code_lags: bool,
-    /// Left out while the vehicle reports the same code: the vehicle arbitrates (BUS-77).
-    unless_forwarded: bool,
+    /// The row that brings the same fault by another route: of the same code only the worse report is told, and that
+    /// row's if they are equally bad (BUS-77: the vehicle forwards the battery's codes).
+    pub(crate) repeats: Option<u8>,
     /// Left out on a vehicle that sends this value: it says the same in more detail.
     unless_sent: Option<Value>,
     pub(crate) sounds: bool,
@@ -88,9 +89,9 @@ pub(crate) struct Row {
 
 impl Row {
     const fn new(source: Source, when: When, grade: Grade, words: Words) -> Self {
-        let (code, unless_sent) = (None, None);
-        let (rotates, code_lags, unless_forwarded, sounds) = (false, false, false, false);
-        Self { source, when, grade, code, words, rotates, code_lags, unless_forwarded, unless_sent, sounds }
+        let (code, unless_sent, repeats) = (None, None, None);
+        let (rotates, code_lags, sounds) = (false, false, false);
+        Self { source, when, grade, code, words, rotates, code_lags, repeats, unless_sent, sounds }
     }
 
     const fn code(mut self, value: Value) -> Self {
@@ -108,8 +109,8 @@ impl Row {
         self
     }
 
-    const fn unless_forwarded(mut self) -> Self {
-        self.unless_forwarded = true;
+    const fn repeats(mut self, row: u8) -> Self {
+        self.repeats = Some(row);
         self
     }
 
@@ -170,7 +171,8 @@ pub(crate) const ROWS: &[Row] = &[
     Row::flag(S::ShiftFailed, V::VehicleShiftFailed, Always(Warn), texts::SHIFT_FAILED).sounds(),
     Row::new(S::HvOff, When::HvOff, Always(Stop), Words::HvOff).sounds(),
     Row::level(S::Battery, V::BatteryFaultLevel, ByCode(Node::Bms, BATTERY))
-        .code(V::BatteryFaultCode).rotates().code_lags().unless_forwarded().sounds(),
+        .code(V::BatteryFaultCode).rotates().code_lags().repeats(FORWARDED).sounds(),
+    Row::level(S::Battery, V::VehicleBatteryLevel, ByLevel(BATTERY)).repeats(BATTERY_ROW).sounds(),
     Row::flag(S::BatterySmoke, V::BatterySmoke, Always(Stop), texts::BATTERY_SMOKE).unless_sent(V::BatteryAlarms).sounds(),
     Row::new(S::BatteryAlarm, When::Bits(V::BatteryAlarms), Stage(V::BatteryFaultLevel), ByBit(&[Node::Bms], texts::BATTERY)).sounds(),
     Row::flag(S::BatteryFault, V::BatteryFault, Always(Warn), texts::BATTERY).unless_sent(V::BatteryAlarms),
@@ -222,8 +224,11 @@ pub(crate) fn remembered(entry: &Entry, vehicle: &Vehicle) -> (Text, Option<u16>
 }
 
 /// Row of the vehicle controller's codes.
-pub(crate) const FORWARDED: u8 = 1;
+const FORWARDED: u8 = 1;
+/// Row of what the battery says itself.
+const BATTERY_ROW: u8 = 6;
 const _: () = assert!(matches!(ROWS[FORWARDED as usize].when, When::Code(V::VehicleFaultCode)));
+const _: () = assert!(matches!(ROWS[BATTERY_ROW as usize].when, When::Level(V::BatteryFaultLevel)));
 const _: () = assert!(ROWS.len() < u8::MAX as usize, "rows are counted in a byte");
 
 /// What a source says now.
@@ -239,8 +244,8 @@ pub(crate) enum Report {
 }
 
 impl Row {
-    /// Returns what the source says now; `is_forwarded` tells whether the vehicle reports a code.
-    pub(crate) fn report(&self, facts: &Facts<'_>, is_forwarded: impl Fn(u16) -> bool) -> Report {
+    /// Returns what the source says now.
+    pub(crate) fn report(&self, facts: &Facts<'_>) -> Report {
         if self.unless_sent.is_some_and(|value| facts.is_sent(value)) {
             return Report::Clear;
         }
@@ -264,9 +269,6 @@ impl Row {
             Some(false) => Report::Clear,
             Some(true) => {
                 let code = self.code.and_then(|value| code_of(facts, value));
-                if self.unless_forwarded && code.is_some_and(is_forwarded) {
-                    return Report::Clear;
-                }
                 let severity = self.grade.of(facts, || self.severity_of_text(facts, code));
                 severity.map_or(Report::Unknown, |severity| Report::Fault(severity, code))
             }
@@ -286,6 +288,11 @@ impl Row {
     /// Returns whether the code is part of a fault's name.
     pub(crate) fn has_several(&self) -> bool {
         self.rotates || matches!(self.when, When::Bits(_))
+    }
+
+    /// Returns whether the row only says that a node is missing.
+    pub(crate) fn misses_a_node(&self) -> bool {
+        matches!(self.when, When::Silent(_))
     }
 
     /// Returns the code as the driver reads it: the number of a bit is nothing that a document prints.
@@ -384,7 +391,7 @@ mod tests {
 
     /// What a row says besides when it reports, as one can compare it: values, then switches.
     fn traits(row: &Row) -> ([Option<Value>; 2], [bool; 4]) {
-        ([row.code, row.unless_sent], [row.rotates, row.code_lags, row.unless_forwarded, row.sounds])
+        ([row.code, row.unless_sent], [row.rotates, row.code_lags, row.repeats == Some(9), row.sounds])
     }
 
     #[test]
@@ -397,7 +404,7 @@ mod tests {
         assert_eq!(traits(&plain().unless_sent(V::DcdcState)), ([None, Some(V::DcdcState)], off));
         assert_eq!(traits(&plain().rotates()), (none, [true, false, false, false]));
         assert_eq!(traits(&plain().code_lags()), (none, [false, true, false, false]));
-        assert_eq!(traits(&plain().unless_forwarded()), (none, [false, false, true, false]));
+        assert_eq!(traits(&plain().repeats(9)), (none, [false, false, true, false]));
         assert_eq!(traits(&plain().sounds()), (none, [false, false, false, true]));
     }
 

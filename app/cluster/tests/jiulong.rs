@@ -2,7 +2,7 @@
 
 use cluster::{Cluster, Inputs, Sound, Telltale};
 use protocol_core::generated::jiulong::VEHICLE;
-use protocol_core::model::{Gear, Severity, Shown};
+use protocol_core::model::{Severity, Shown};
 use protocol_core::{CanFrame, CanId, Millis};
 
 const VCU1: u32 = 0x1802_28D0;
@@ -63,26 +63,64 @@ fn speed(kmh: u8) -> [u8; 8] {
 
 #[test]
 fn jl_r013_level_1_is_the_worst_level_and_level_3_the_mildest() {
-    // Byte 4 of VCU2, bits 1-0 motor, 5-4 vehicle controller.
-    for (raw, severity) in
-        [(0, Severity::None), (1, Severity::Stop), (2, Severity::Derate), (3, Severity::Warn)]
-    {
-        for shift in [0, 4] {
+    // Byte 4 of VCU2: bits 1-0 motor, 3-2 battery, 5-4 vehicle controller; BMSStatus: the battery itself.
+    type Report = fn(u8) -> (u32, [u8; 8]);
+    let sources: [(Report, Telltale); 4] = [
+        (|raw| (VCU2, [1, 0, 0, raw, 0, 90, 0xFF, 0]), Telltale::MotorFault),
+        (|raw| (VCU2, [1, 0, 0, raw << 2, 0, 90, 0xFF, 0]), Telltale::BatteryFault),
+        (|raw| (VCU2, [1, 0, 0, raw << 4, 0, 90, 0xFF, 0]), Telltale::SystemFault),
+        (|raw| (STATUS, [0x15, 0x18, 0x13, 0x88, 200, 1, raw, 0]), Telltale::BatteryFault),
+    ];
+    for (raw, severity, sound) in [
+        (0, Severity::None, None),
+        (1, Severity::Stop, Some(Sound::Stop)),
+        (2, Severity::Derate, Some(Sound::Derate)),
+        (3, Severity::Warn, Some(Sound::Warn)),
+    ] {
+        for (place, (source, lamp)) in sources.iter().enumerate() {
             let mut ride = Ride::new();
-            ride.receive(VCU2, [1, 0, 0, raw << shift, 0, 90, 0xFF, 0]);
+            let (id, data) = source(raw);
+            ride.receive(id, data);
             ride.run(10);
-            assert_eq!(
-                ride.cluster.view(ride.now).severity,
-                severity,
-                "JL-14, JL-R010: {raw} at bit {shift}"
-            );
+            let view = ride.cluster.view(ride.now);
+            assert_eq!(view.severity, severity, "JL-14, JL-R010, JL-R019: {raw} of source {place}");
+            let line = view.line.map(|line| line.severity);
+            assert_eq!(line, (raw != 0).then_some(severity), "{raw} of source {place}");
+            let heard = ride.cluster.chime(ride.now).map(|chime| chime.sound);
+            assert_eq!(heard, sound, "a buzzer: {raw} of source {place}");
+            assert_eq!(view.telltales.is_lit(*lamp), raw != 0, "{raw} of source {place}");
         }
-        let mut ride = Ride::new();
-        ride.receive(STATUS, [0x15, 0x18, 0x13, 0x88, 200, 1, raw, 0]);
-        ride.run(10);
-        assert_eq!(ride.cluster.view(ride.now).severity, severity, "JL-R019: battery {raw}");
-        let sound = ride.cluster.chime(ride.now).map(|chime| chime.sound);
-        assert_eq!(sound == Some(Sound::Stop), severity == Severity::Stop, "a buzzer");
+    }
+}
+
+#[test]
+fn jl_r013_of_the_battery_s_two_levels_the_worse_is_told_once_and_outlives_the_milder() {
+    let severity =
+        |raw: u8| [Severity::None, Severity::Stop, Severity::Derate, Severity::Warn][usize::from(raw)];
+    for own in 0..=3 {
+        for copy in 0..=3 {
+            let mut ride = Ride::new();
+            ride.receive(STATUS, [0x15, 0x18, 0x13, 0x88, 200, 1, own, 0]);
+            ride.receive(VCU2, [1, 0, 0, copy << 2, 0, 90, 0xFF, 0]);
+            ride.run(10);
+            let worse = severity(own).max(severity(copy));
+            let told: Vec<_> = ride.texts().iter().map(|text| text.1).collect();
+            let expected: Vec<_> = (worse != Severity::None).then_some(worse).into_iter().collect();
+            assert_eq!(told, expected, "own {own}, copy {copy}");
+            // The battery falls silent; the vehicle controller goes on. A STOP stays until its own source takes it back.
+            for life in 2..60 {
+                ride.receive(VCU2, [life, 0, 0, copy << 2, 0, 90, 0xFF, 0]);
+                ride.run(100);
+            }
+            let kept = if severity(own) == Severity::Stop { Severity::Stop } else { severity(copy) };
+            let battery = ride
+                .texts()
+                .iter()
+                .filter(|text| text.0.starts_with("Battery fault"))
+                .map(|text| text.1)
+                .max();
+            assert_eq!(battery.unwrap_or_default(), kept, "own {own} is silent, copy {copy}");
+        }
     }
 }
 
@@ -176,34 +214,50 @@ fn jl_22_the_whole_byte_is_a_speed_and_the_range_is_shown_as_sent() {
     assert_eq!(view.range.map(|range| (range.km, range.is_estimated)), Shown::Value((300, false)));
 }
 
-#[test]
-fn jl_r031_remote_upgrade_is_forbidden_while_driving_and_whenever_the_speed_is_unknown() {
-    let mut ride = Ride::new();
-    let flags = |ride: &Ride| (ride.last(UPGRADE_VEHICLE)[1], ride.last(UPGRADE_BATTERY)[1]);
-    assert_eq!(flags(&ride), (1, 1), "the speed was never heard");
-    let mut life = 0;
-    let mut drive = |ride: &mut Ride, kmh, gear| {
-        for _ in 0..15 {
-            life += 1;
-            ride.receive(VCU3, speed(kmh));
-            ride.receive(VCU2, [life, gear, 0, 0, 0, 90, 0xFF, 200]);
-            ride.run(100);
+/// A van that is driven and asked whether it may be upgraded.
+struct Van {
+    ride: Ride,
+    life: u8,
+}
+
+impl Van {
+    /// Lets time pass with these bytes of VCU1 (READY), VCU2 (gear) and VCU3 (speed); `None` = the frame does not come.
+    fn drive(&mut self, ready: Option<u8>, gear: Option<u8>, kmh: Option<u8>) -> (u8, u8) {
+        for _ in 0..60 {
+            self.life = self.life.wrapping_add(1);
+            let life = self.life;
+            ready.iter().for_each(|&ready| self.ride.receive(VCU1, [life, ready, 0, 0, 0x75, 0x30, 80, 0]));
+            gear.iter().for_each(|&gear| self.ride.receive(VCU2, [life, gear, 0, 0, 0, 90, 0xFF, 200]));
+            kmh.iter().for_each(|&kmh| self.ride.receive(VCU3, speed(kmh)));
+            self.ride.run(100);
         }
-    };
-    // Gears as the DBC's table: 0 N, 1 D, 2 R.
-    drive(&mut ride, 0, 0);
-    let gear = ride.cluster.view(ride.now).gear;
-    assert_eq!((gear, flags(&ride)), (Some(Gear::N), (0, 0)), "standing in N");
-    drive(&mut ride, 1, 0);
-    assert_eq!(flags(&ride), (1, 1), "rolling");
-    drive(&mut ride, 0, 1);
-    assert_eq!(flags(&ride), (1, 1), "standing with a driving gear");
-    drive(&mut ride, 0, 0);
-    assert_eq!(flags(&ride), (0, 0));
-    ride.run(4_000);
-    assert_eq!(flags(&ride), (1, 1), "the speed is stale");
-    let frame = ride.last(UPGRADE_VEHICLE);
-    assert_eq!(frame[2..], [0; 6], "reserved bytes are 0 here");
+        (self.ride.last(UPGRADE_VEHICLE)[1], self.ride.last(UPGRADE_BATTERY)[1])
+    }
+}
+
+#[test]
+fn jl_r031_remote_upgrade_is_allowed_only_at_a_known_standstill_in_a_known_neutral_and_known_not_ready() {
+    const ALLOWED: (u8, u8) = (0, 0);
+    const FORBIDDEN: (u8, u8) = (1, 1);
+    // Gears as the DBC's table: 0 N, 1 D, 2 R, 3 none.
+    for (ready, gear, kmh) in [
+        (None, None, None),
+        (None, Some(0), Some(0)),
+        (Some(0), None, Some(0)),
+        (Some(0), Some(0), None),
+        (Some(1), Some(0), Some(0)),
+        (Some(0), Some(1), Some(0)),
+        (Some(0), Some(2), Some(0)),
+        (Some(0), Some(3), Some(0)),
+        (Some(0), Some(0), Some(1)),
+        (Some(0), Some(0), Some(255)),
+    ] {
+        let mut van = Van { ride: Ride::new(), life: 0 };
+        assert_eq!(van.drive(ready, gear, kmh), FORBIDDEN, "from the start: {ready:?} {gear:?} {kmh:?}");
+        assert_eq!(van.drive(Some(0), Some(0), Some(0)), ALLOWED, "parked after {ready:?} {gear:?} {kmh:?}");
+        assert_eq!(van.drive(ready, gear, kmh), FORBIDDEN, "after it was parked: {ready:?} {gear:?} {kmh:?}");
+        assert_eq!(van.ride.last(UPGRADE_VEHICLE)[2..], [0; 6], "reserved bytes are 0 here");
+    }
 }
 
 #[test]

@@ -17,7 +17,8 @@
 //! 250 kbit/s leaves 376 us. `draw` and `report` give way to each other at every `await`, to all else at once.
 //! `tick` feeds the watchdog, and only while `draw` makes progress: a cluster whose picture stands still is reset.
 //!
-//! The node only listens until `tick` knows the vehicle, at the bit rate at which frames are heard (`recognition`).
+//! The node only listens until `tick` is certain of the vehicle, at the bit rate at which frames are heard
+//! (`recognition`).
 //!
 //! Words of a panic or hard fault are kept over the reset, reported, and shown.
 

@@ -1,15 +1,15 @@
 //! Which vehicle this is: set when the image is built, or found out by listening.
 //!
-//! Until it is known the controller only listens and the cluster is nobody's; the frames heard meanwhile are handed over
-//! afterwards, none is lost. The rules are in `cluster::detect`; here they are wired to controller and cluster.
+//! Until it is known the cluster is nobody's, and until it is certain the controller only listens; the frames heard
+//! meanwhile are handed over afterwards, none is lost. The rules are in `cluster::detect`; here they are wired to
+//! controller and cluster.
 
 use cluster::Cluster;
 use cluster::detect::{Detector, Dial};
-use cluster::texts;
-use cluster::view::Text;
-use protocol_core::generated::VEHICLES;
+use cluster::own::Search;
+use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES};
 use protocol_core::vehicle::{NO_VEHICLE, Vehicle};
-use protocol_core::{CanFrame, Millis, Severity};
+use protocol_core::{CanFrame, Millis};
 
 use crate::can_node::{CanNode, Care};
 
@@ -22,7 +22,7 @@ pub const FIXED: Option<&Vehicle> = match option_env!("CLUSTER_VEHICLE") {
 /// The bit rate to start with.
 pub const FIRST_BITRATE: u32 = match FIXED {
     Some(vehicle) => vehicle.bitrate,
-    None => Dial::new(VEHICLES).bitrate(),
+    None => Dial::new(SHIPPED_VEHICLES).bitrate(),
 };
 
 const fn named(name: &str) -> &'static Vehicle {
@@ -44,11 +44,6 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
     index == a.len() && index == b.len()
 }
 
-/// Time after start from which the screen says that the cluster listens, in milliseconds.
-const PATIENCE_MS: u64 = 1_000;
-/// Time for which the name of a vehicle is shown after its recognition, in milliseconds.
-const NAME_MS: u64 = 5_000;
-
 /// Returns the cluster to start with.
 pub fn cluster() -> Cluster {
     Cluster::new(FIXED.unwrap_or(&NO_VEHICLE))
@@ -66,7 +61,7 @@ pub struct Recognition {
 impl Recognition {
     /// Returns a search that has heard nothing.
     pub const fn new() -> Self {
-        let (detector, dial) = (Detector::new(VEHICLES), Dial::new(VEHICLES));
+        let (detector, dial) = (Detector::new(SHIPPED_VEHICLES), Dial::new(SHIPPED_VEHICLES));
         Self { detector, dial, heard: false, has_joined: FIXED.is_some() }
     }
 
@@ -88,14 +83,14 @@ impl Recognition {
         }
     }
 
-    /// Turns the dial while nothing is found, joins the bus when something is; after a tick's look at the controller.
+    /// Turns the dial while nothing is found, joins the bus when the vehicle is certain; after a tick's look at the
+    /// controller.
     pub fn listen(&mut self, can: &mut CanNode, now: Millis) -> Care {
-        if self.has_joined {
-            return Care::Nothing;
-        }
-        if self.detector.found().is_some() {
+        if !self.has_joined && self.detector.may_answer() {
             can.join();
             self.has_joined = true;
+        }
+        if self.has_joined || self.detector.found().is_some() {
             return Care::Nothing;
         }
         let heard = core::mem::take(&mut self.heard);
@@ -105,16 +100,8 @@ impl Recognition {
         }
     }
 
-    /// Returns what the screen should say of the search, and how bad it is.
-    pub fn line(&self, now: Millis) -> Option<(Severity, Text)> {
-        match (FIXED, self.detector.found(), self.detector.contradiction()) {
-            (Some(_), ..) => None,
-            (None, Some(_), Some(_)) => Some((Severity::Warn, texts::DOUBT)),
-            (None, Some(found), None) if now.since(found.at) < NAME_MS => {
-                Some((Severity::None, Text { zh: found.vehicle.zh, en: found.vehicle.en }))
-            }
-            (None, None, _) if now.0 >= PATIENCE_MS => Some((Severity::None, texts::LISTENING)),
-            _ => None,
-        }
+    /// Returns how far the search is; `None` = the image is for one vehicle and searches for none.
+    pub fn state(&self, now: Millis) -> Option<Search> {
+        FIXED.is_none().then(|| self.detector.state(now))
     }
 }

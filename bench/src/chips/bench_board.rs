@@ -81,6 +81,7 @@ pub struct BenchBoard {
     buzzer: Recent<PwmChange>,
     backlight: Recent<PwmChange>,
     int_edges: Recent<(Nanos, bool)>,
+    miso_is_cut: bool,
     now: Nanos,
     due: Option<Nanos>,
 }
@@ -105,6 +106,7 @@ impl BenchBoard {
             buzzer: Recent::keeping(KEPT),
             backlight: Recent::keeping(KEPT),
             int_edges: Recent::keeping(KEPT),
+            miso_is_cut: false,
             now: Nanos::ZERO,
             due: Some(Nanos::ZERO),
         }
@@ -129,6 +131,11 @@ impl BenchBoard {
     /// The CAN controller, to clear its violations.
     pub fn mcp2515_mut(&mut self) -> &mut Mcp2515 {
         &mut self.mcp2515
+    }
+
+    /// Fault: the CAN controller's MISO wire is off and reads high, or is on again.
+    pub fn cut_miso(&mut self, cut: bool) {
+        self.miso_is_cut = cut;
     }
 
     /// The panel.
@@ -275,10 +282,11 @@ impl Board for BenchBoard {
             reply &= self.panel.exchange(now, word, bits);
         }
         if port == self.wiring.can.spi && (self.mcp2515.is_selected() || port != self.wiring.panel.spi) {
-            reply &= match bits {
+            let answer = match bits {
                 16 => self.mcp2515.exchange_pair(now, word, &mut self.bus),
                 _ => 0xFF00 | u16::from(self.mcp2515.exchange(now, word as u8, &mut self.bus)),
             };
+            reply &= if self.miso_is_cut { 0xFFFF } else { answer };
             self.show_int(now, inputs);
             self.refresh_due();
         }

@@ -1,7 +1,7 @@
 //! The cluster's logic on the host: the virtual vehicle's frames go straight in, every 10 ms the cluster is ticked.
 //!
 //! Does what the firmware's tick does, without a chip: it finds out which vehicle it is, takes its own wires from the
-//! vehicle's body, and sends. There is no bus: a fault of the bus is nothing but silence, and frames take no time.
+//! vehicle's body, sends once the vehicle is certain, and says what it knows of itself. There is no bus: a fault of the bus is nothing but silence, and frames take no time.
 
 use super::answer::{FoundLine, severity_word};
 use super::name::{PAGES, Signal, snake};
@@ -9,8 +9,8 @@ use super::{Action, Answer, BusFault, Name, Place, Subject};
 use anyhow::Result;
 use cluster::detect::Detector;
 use cluster::view::Line;
-use cluster::{Button, Buttons, Cluster, Doors, Inputs, Key, Lights, Sound, View};
-use protocol_core::generated::VEHICLES;
+use cluster::{Button, Buttons, Cluster, Conditions, Doors, Inputs, Key, Lights, Sound, View};
+use protocol_core::generated::SHIPPED_VEHICLES;
 use protocol_core::link::Sample;
 use protocol_core::model::{Gear, Shown};
 use protocol_core::vehicle::NO_VEHICLE;
@@ -39,7 +39,7 @@ impl HostSubject {
         Self {
             vehicle: VirtualVehicle::new(kind, options),
             cluster: Cluster::new(&NO_VEHICLE),
-            detector: Detector::new(VEHICLES),
+            detector: Detector::new(SHIPPED_VEHICLES),
             buttons: Buttons::default(),
             faults: Vec::new(),
             sent: Transmitted::default(),
@@ -78,10 +78,12 @@ impl HostSubject {
             }
         }
         let now = self.now();
-        self.cluster.tick(&inputs(self.vehicle.world(), self.buttons), now);
+        let search = Some(self.detector.state(now));
+        let conditions = Conditions { search, ..Conditions::default() };
+        self.cluster.tick(&inputs(self.vehicle.world(), self.buttons, conditions), now);
         // At most one frame per row of the vehicle's table is due.
         while let Some(frame) = self.cluster.transmit(now) {
-            if !is_silent {
+            if !is_silent && self.detector.may_answer() {
                 self.vehicle.receive(&frame);
                 self.sent.push(self.now_ms, frame);
             }
@@ -227,7 +229,7 @@ fn found(line: Line) -> FoundLine {
 }
 
 /// The cluster's own wires, as the board's pins bring them to the firmware.
-fn inputs(world: &World, buttons: Buttons) -> Inputs {
+fn inputs(world: &World, buttons: Buttons, conditions: Conditions) -> Inputs {
     let air = |mpa: f64| (world.kind == Kind::Bus).then_some((mpa * 100.0).round() as u16);
     Inputs {
         key: Key::On,
@@ -246,6 +248,7 @@ fn inputs(world: &World, buttons: Buttons) -> Inputs {
         air_front_centimpa: air(world.air.front_mpa),
         air_rear_centimpa: air(world.air.rear_mpa),
         buttons,
+        conditions,
         ..Inputs::default()
     }
 }

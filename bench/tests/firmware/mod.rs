@@ -14,6 +14,11 @@ pub(crate) fn elf_st7789() -> PathBuf {
     image("CLUSTER_ELF_ST7789", "cluster-st7789.elf")
 }
 
+/// The image for the ILI9341 that is for the example vehicle only.
+pub(crate) fn elf_example() -> PathBuf {
+    image("CLUSTER_ELF_EXAMPLE", "cluster-ili9341-example.elf")
+}
+
 fn image(variable: &str, name: &str) -> PathBuf {
     let built = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/out").join(name);
     let path = std::env::var_os(variable).map_or_else(built, PathBuf::from);

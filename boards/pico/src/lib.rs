@@ -225,6 +225,7 @@ fn start_clocks(
 
 /// Starts the watchdog; from now on it must be fed within [`facts::WATCHDOG_US`].
 pub fn start_watchdog(watchdog: &mut Watchdog) {
+    retained::mark_armed(watchdog);
     watchdog.pause_on_debug(true);
     watchdog.start(MicrosDurationU32::micros(facts::WATCHDOG_US));
 }

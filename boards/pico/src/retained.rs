@@ -2,20 +2,27 @@
 //!
 //! Lives in RAM that start-up does not clear; a check sum tells words of the last run from power-on noise. A panic or a
 //! hard fault writes its note and resets the chip at once through the watchdog.
-//! Source: RP2040 datasheet 2.12.3 (CHIP_RESET), 4.7.4 (watchdog scratch and REASON).
+//! The boot ROM starts a new image through the watchdog too; a mark in its scratch register tells that from a firmware
+//! that stood still.
+//! Source: RP2040 datasheet 2.12.3 (CHIP_RESET), 4.7.4 (watchdog scratch and REASON); pico-sdk
+//! `watchdog_enable_caused_reboot` (scratch register 4 and its mark).
 
 use core::cell::UnsafeCell;
 use core::fmt::Write;
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
 use rp2040_hal::pac;
+use rp2040_hal::watchdog::{ScratchRegister, Watchdog};
+
+/// Mark in scratch register 4 while the firmware's own watchdog runs; the boot ROM overwrites it.
+const ARMED: u32 = 0x6AB7_3121;
 
 /// Why the chip started.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reset {
     /// Supply or brown-out.
     Power,
-    /// RUN pin or debugger.
+    /// RUN pin, debugger, or the boot ROM after an image was dropped on its drive.
     Pin,
     /// The watchdog ran out.
     Watchdog,
@@ -114,17 +121,25 @@ fn store(kept: Kept) {
     unsafe { KEPT.0.get().cast::<Kept>().write_volatile(kept.sealed()) };
 }
 
-/// Tells how this run began, and forgets the note.
+/// Marks that the firmware's own watchdog runs from now on.
+pub(crate) fn mark_armed(watchdog: &mut Watchdog) {
+    watchdog.write_scratch(ScratchRegister::Scratch4, ARMED);
+}
+
+/// Tells how this run began, and forgets the note and the mark.
 pub(crate) fn take(watchdog: &pac::WATCHDOG, chip: &pac::VREG_AND_CHIP_RESET) -> Boot {
     let reason = watchdog.reason().read();
     let by_watchdog = reason.timer().bit_is_set() || reason.force().bit_is_set();
     let kept = load().filter(|_| by_watchdog || chip.chip_reset().read().had_por().bit_is_clear());
+    let was_armed = watchdog.scratch4().read().bits() == ARMED;
+    // SAFETY: a scratch register takes any value.
+    watchdog.scratch4().write(|w| unsafe { w.bits(0) });
     let note = kept.filter(|kept| kept.has_note != 0).map(|kept| kept.note);
     let reset = match (by_watchdog, note) {
         (true, Some(_)) => Reset::Panic,
-        (true, None) => Reset::Watchdog,
+        (true, None) if was_armed => Reset::Watchdog,
         (false, _) if chip.chip_reset().read().had_por().bit_is_set() => Reset::Power,
-        (false, _) => Reset::Pin,
+        _ => Reset::Pin,
     };
     let resets = kept.map_or(0, |kept| kept.resets.saturating_add(1));
     store(Kept { resets, ..Kept::EMPTY });

@@ -20,6 +20,8 @@ pub(crate) struct Binding {
     pub(crate) en: String,
     /// 1 or 3.
     pub(crate) worst_level: u8,
+    /// Images hold the vehicle and look for it.
+    pub(crate) shipped: bool,
     pub(crate) nodes: Vec<NodeRow>,
     /// Sorted by identifier.
     pub(crate) rx: Vec<Rx>,
@@ -238,6 +240,7 @@ impl Reader<'_> {
             zh: String::new(),
             en: String::new(),
             worst_level: 3,
+            shipped: true,
             nodes: Vec::new(),
             rx: Vec::new(),
             streams: Vec::new(),
@@ -279,6 +282,7 @@ impl Reader<'_> {
     }
 
     fn vehicle(&mut self, at: &Spanned<DeValue<'_>>, binding: &mut Binding) {
+        const KEYS: [&str; 4] = ["zh", "en", "worst_level", "shipped"];
         for (key, value) in self.table(at) {
             match key.get_ref().as_ref() {
                 "zh" => binding.zh = self.text(value),
@@ -287,9 +291,8 @@ impl Reader<'_> {
                     2 => self.wrong(value, "1 or 3"),
                     level => binding.worst_level = level as u8,
                 },
-                other => {
-                    self.unknown(key.span().start, "key", other, ["zh", "en", "worst_level"].into_iter());
-                }
+                "shipped" => binding.shipped = self.flag(value),
+                other => self.unknown(key.span().start, "key", other, KEYS.into_iter()),
             }
         }
         if binding.zh.is_empty() || binding.en.is_empty() {

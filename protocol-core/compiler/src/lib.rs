@@ -43,6 +43,18 @@ const MODULE_ATTRIBUTES: &str = "
 ///
 /// Everything that is wrong with the two files.
 pub fn compile(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<String, Diagnostics> {
+    compile_vehicle(name, dbc, toml).map(|compiled| compiled.text)
+}
+
+/// What becomes of one vehicle.
+struct Compiled {
+    /// The generated module.
+    text: String,
+    /// Images hold the vehicle and look for it.
+    shipped: bool,
+}
+
+fn compile_vehicle(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<Compiled, Diagnostics> {
     let network = network::read(dbc.0, dbc.1)?;
     let binding = binding::read(toml.0, toml.1, &network)?;
     let mut out = format!(
@@ -62,7 +74,7 @@ pub fn compile(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<Stri
     );
     codec_text::write(&mut out, &network);
     vehicle_text::write(&mut out, name, &network, &binding);
-    Ok(out)
+    Ok(Compiled { text: out, shipped: binding.shipped })
 }
 
 /// Returns a text of a user as it may stand in a comment: what is no letter is written as its escape.
@@ -117,6 +129,7 @@ pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
 pub fn compile_all(root: &Path) -> Result<Vec<(PathBuf, String)>, Diagnostics> {
     let names = vehicles(root)?;
     let mut files = Vec::new();
+    let mut shipped = Vec::new();
     let mut wrong = Diagnostics::default();
     let mut modules = String::from(
         "//! The vehicles: one generated module each.\n//!\n//! Refresh with `cargo xtask codegen`.\n",
@@ -130,23 +143,30 @@ pub fn compile_all(root: &Path) -> Result<Vec<(PathBuf, String)>, Diagnostics> {
         };
         let compiled = read(format!("vehicles/{name}/{name}.dbc")).and_then(|dbc| {
             let toml = read(format!("vehicles/{name}/vehicle.toml"))?;
-            compile(name, (&dbc.0, &dbc.1), (&toml.0, &toml.1))
+            compile_vehicle(name, (&dbc.0, &dbc.1), (&toml.0, &toml.1))
         });
         match compiled {
-            Ok(text) => files.push((Path::new(GENERATED).join(format!("{name}.rs")), text)),
+            Ok(compiled) => {
+                files.push((Path::new(GENERATED).join(format!("{name}.rs")), compiled.text));
+                shipped.extend(compiled.shipped.then_some(name));
+            }
             Err(error) => wrong.0.extend(error.0),
         }
         modules.push_str(MODULE_ATTRIBUTES);
         modules.push_str(&format!("pub mod {name};\n"));
     }
-    modules.push_str("\n/// Every vehicle, sorted by name.\n#[rustfmt::skip]\n");
-    modules.push_str("pub static VEHICLES: &[&crate::Vehicle] = &[\n");
-    for name in &names {
-        modules.push_str(&format!("    &{name}::VEHICLE,\n"));
+    let lists = [
+        ("Every vehicle, sorted by name: for tools and tests.", "VEHICLES", names.iter().collect()),
+        ("The vehicles that an image holds and looks for, sorted by name.", "SHIPPED_VEHICLES", shipped),
+    ];
+    for (meaning, list, names) in lists {
+        modules.push_str(&format!("\n/// {meaning}\n#[rustfmt::skip]\n"));
+        modules.push_str(&format!("pub static {list}: &[&crate::Vehicle] = &[\n"));
+        names.iter().for_each(|name| modules.push_str(&format!("    &{name}::VEHICLE,\n")));
+        modules.push_str("];\n");
     }
-    modules.push_str(
-        "];\n\n/// Name and messages of every vehicle, sorted by name: for tools.\n#[rustfmt::skip]\n",
-    );
+    modules
+        .push_str("\n/// Name and messages of every vehicle, sorted by name: for tools.\n#[rustfmt::skip]\n");
     modules.push_str("pub static MESSAGES: &[(&str, &[crate::codec::MessageInfo])] = &[\n");
     for name in &names {
         modules.push_str(&format!("    ({name:?}, {name}::MESSAGES),\n"));

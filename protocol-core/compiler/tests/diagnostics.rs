@@ -244,6 +244,10 @@ fn toml_errors_name_their_line_and_kinds_are_checked() {
         "vehicle.toml:10: a number is needed here, not a text",
     );
     only(
+        wrong_toml("en = \"Car\"\n", "en = \"Car\"\nshipped = \"no\"\n"),
+        "vehicle.toml:4: true or false is needed here, not a text",
+    );
+    only(
         wrong_toml("battery.current = \"speed\"", "timeout_ms = 7\nbattery.current = \"speed\""),
         "vehicle.toml:10: 7 must be 50 to 600000",
     );
@@ -295,6 +299,28 @@ fn check_names_the_command_and_write_repairs() {
         .expect("a file");
     write(root.path()).expect("a right vehicle");
     assert!(!file.exists(), "a vehicle that is gone leaves no file");
+}
+
+#[test]
+fn a_vehicle_that_is_not_shipped_is_in_the_tools_list_and_in_no_image() {
+    let root = tempfile::tempdir().expect("a folder");
+    for (name, shipped) in [("car", ""), ("draft", "shipped = false\n"), ("van", "shipped = true\n")] {
+        let vehicle = root.path().join("vehicles").join(name);
+        fs::create_dir_all(&vehicle).expect("a folder");
+        fs::write(vehicle.join(format!("{name}.dbc")), DBC).expect("a file");
+        let toml = TOML.replace("en = \"Car\"\n", &format!("en = \"Car\"\n{shipped}"));
+        fs::write(vehicle.join("vehicle.toml"), toml).expect("a file");
+    }
+    vehicle_compiler::write(root.path()).expect("right vehicles");
+    let lists = root.path().join(vehicle_compiler::GENERATED).join("mod.rs");
+    let lists = fs::read_to_string(lists).expect("the lists");
+    let list = |name: &str| {
+        let (_, list) = lists.split_once(&format!("pub static {name}: ")).expect("the list");
+        let (list, _) = list.split_once("];").expect("its end");
+        ["car", "draft", "van"].map(|vehicle| list.contains(&format!("&{vehicle}::VEHICLE")))
+    };
+    assert_eq!(list("VEHICLES"), [true; 3]);
+    assert_eq!(list("SHIPPED_VEHICLES"), [true, false, true]);
 }
 
 /// Three messages alike, each with two cells; a page in a fourth.

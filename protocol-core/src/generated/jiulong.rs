@@ -4027,6 +4027,8 @@ fn decode_vcu2(source: u8, data: &[u8; 8], readings: &mut Readings) {
     readings.put(source, Value::VehicleMode, state, state != INVALID);
     let state = STATES_0[(frame.vcu_fault_level_raw() & 3) as usize];
     readings.put(source, Value::VehicleFaultLevel, state, state != INVALID);
+    let state = STATES_0[(frame.battery_fault_level_raw() & 3) as usize];
+    readings.put(source, Value::VehicleBatteryLevel, state, state != INVALID);
     let raw = frame.soc_raw();
     readings.put(source, Value::VehicleSoc, (raw as i32) * 4, raw <= 250);
     let raw = frame.shift_failed_raw();

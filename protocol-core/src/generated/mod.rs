@@ -18,12 +18,20 @@ pub mod example;
 #[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
 pub mod jiulong;
 
-/// Every vehicle, sorted by name.
+/// Every vehicle, sorted by name: for tools and tests.
 #[rustfmt::skip]
 pub static VEHICLES: &[&crate::Vehicle] = &[
     &bus::VEHICLE,
     &c5ev::VEHICLE,
     &example::VEHICLE,
+    &jiulong::VEHICLE,
+];
+
+/// The vehicles that an image holds and looks for, sorted by name.
+#[rustfmt::skip]
+pub static SHIPPED_VEHICLES: &[&crate::Vehicle] = &[
+    &bus::VEHICLE,
+    &c5ev::VEHICLE,
     &jiulong::VEHICLE,
 ];
 

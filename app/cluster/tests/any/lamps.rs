@@ -32,6 +32,7 @@ const CONDITIONS: &[(V, i32, Telltale)] = &[
     (V::VehicleFaultLevel, 1, Telltale::SystemFault),
     (V::VehicleControllerLevel, 3, Telltale::SystemFault),
     (V::BatteryFaultLevel, 1, Telltale::BatteryFault),
+    (V::VehicleBatteryLevel, 1, Telltale::BatteryFault),
     (V::BatteryFault, 1, Telltale::BatteryFault),
     (V::BatterySmoke, 1, Telltale::BatteryFault),
     (V::MotorFault, 1, Telltale::MotorFault),

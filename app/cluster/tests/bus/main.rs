@@ -4,7 +4,8 @@
 
 mod pages;
 
-use cluster::{Cluster, Inputs, Key, Received, Sound, Telltale, View};
+use cluster::view::ActiveFault;
+use cluster::{Button, Cluster, Inputs, Key, Received, Sound, Telltale, View};
 use protocol_core::generated::bus::VEHICLE;
 use protocol_core::model::{Gear, Severity, Shown, Value};
 use protocol_core::{CanFrame, CanId, Millis};
@@ -164,6 +165,107 @@ fn bus_67_high_voltage_off_is_asked_for_by_exactly_11() {
         data[6] = bits << 3;
         let line = ride.send(BMS1, data).line;
         assert_eq!(line.is_some_and(|line| line.text.en.contains("HV off")), asked, "{bits:02b}");
+    }
+}
+
+/// The battery's and the vehicle controller's report of one code, each 0 to 3 = none to stop.
+#[derive(Clone, Copy)]
+struct Routes {
+    battery: u8,
+    vehicle: u8,
+}
+
+/// BMS1 and BMS5, or VCU7, with code 6 (cell too hot).
+impl Routes {
+    const CODE: u8 = 6;
+
+    fn by_battery(self, ride: &mut Ride) {
+        let mut data = PACK;
+        // BMS1 counts down (BUS-34): raw 1 is level 3.
+        data[6] |= [0, 3, 2, 1][usize::from(self.battery)];
+        ride.send(BMS5, [if self.battery > 0 { Self::CODE } else { 0 }, 1, 0, 0, 0xAA, 0, 1, 0xFF]);
+        ride.send(BMS1, data);
+    }
+
+    fn by_vehicle(self, ride: &mut Ride, code: u8) {
+        ride.send(VCU7, [self.vehicle, code, 0, 0xFF, 0, 0xFF, 0xFF, 0xFF]);
+    }
+
+    /// What is told of the code.
+    fn told(ride: &Ride) -> Vec<Severity> {
+        let code = |fault: &ActiveFault| fault.code == Some(Self::CODE.into());
+        ride.cluster.active_faults(ride.now).filter(code).map(|fault| fault.severity).collect()
+    }
+}
+
+const fn sound_of(severity: Severity) -> Option<Sound> {
+    match severity {
+        Severity::None => None,
+        Severity::Warn => Some(Sound::Warn),
+        Severity::Derate => Some(Sound::Derate),
+        Severity::Stop => Some(Sound::Stop),
+    }
+}
+
+#[test]
+fn bus_77_of_one_code_by_two_routes_the_worse_is_told_once_and_each_route_takes_back_only_its_own() {
+    let severity = |raw: u8| Severity::from_model(raw.into());
+    let all = (1..=3).flat_map(|battery| (0..=3).map(move |vehicle| Routes { battery, vehicle }));
+    for routes in all {
+        let Routes { battery, vehicle } = routes;
+        let worse = severity(battery.max(vehicle));
+        for case in 0..8 {
+            let [battery_first, acknowledged, battery_leaves] = [1, 2, 4].map(|bit| case & bit != 0);
+            let what = format!("battery {battery}, vehicle {vehicle}, case {case}");
+            let mut ride = Ride::new();
+            let sound = |ride: &Ride| ride.cluster.chime(ride.now).map(|chime| chime.sound);
+            if battery_first {
+                routes.by_battery(&mut ride);
+                routes.by_vehicle(&mut ride, Routes::CODE);
+            } else {
+                routes.by_vehicle(&mut ride, Routes::CODE);
+                routes.by_battery(&mut ride);
+            }
+            let view = ride.view();
+            assert_eq!(Routes::told(&ride), [worse], "{what}");
+            assert_eq!((view.severity, view.line.map(|line| line.severity)), (worse, Some(worse)), "{what}");
+            assert_eq!(sound(&ride), sound_of(worse), "{what}");
+            let noted = ride.cluster.history().filter(|entry| entry.code == Some(Routes::CODE.into()));
+            let noted: Vec<_> = noted.map(|entry| (entry.severity, entry.count)).collect();
+            assert_eq!(noted, [(worse, 1)], "{what}");
+            if acknowledged {
+                ride.cluster.press(Button::Next, ride.now);
+                ride.tick(1);
+                assert_eq!(sound(&ride), None, "{what}");
+            }
+            let left = if battery_leaves {
+                Routes { battery: 0, vehicle }.by_battery(&mut ride);
+                severity(vehicle)
+            } else {
+                Routes { battery, vehicle: 0 }.by_vehicle(&mut ride, 0);
+                severity(battery)
+            };
+            assert_eq!(Routes::told(&ride), [left], "{what}: what the other route says holds");
+            assert_eq!(ride.view().severity, left, "{what}");
+            let heard = if acknowledged { None } else { sound_of(left) };
+            assert_eq!(sound(&ride), heard, "{what}: milder than what was acknowledged");
+        }
+    }
+}
+
+#[test]
+fn bus_77_what_the_driver_has_acknowledged_sounds_again_only_if_the_other_route_says_worse() {
+    for vehicle in 1..=3 {
+        for battery in 1..=3 {
+            let routes = Routes { battery, vehicle };
+            let mut ride = Ride::new();
+            routes.by_vehicle(&mut ride, Routes::CODE);
+            ride.cluster.press(Button::Next, ride.now);
+            routes.by_battery(&mut ride);
+            let sound = ride.cluster.chime(ride.now).map(|chime| chime.sound);
+            let worse = (battery > vehicle).then(|| Severity::from_model(battery.into()));
+            assert_eq!(sound, worse.and_then(sound_of), "battery {battery} after vehicle {vehicle}");
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::toy::*;
 use cluster::{Buttons, Inputs, Key};
 use protocol_core::Millis;
-use protocol_core::model::{Shown, Value};
+use protocol_core::model::{Gear, Shown, Value};
 
 fn shown(drive: &Drive, value: Value) -> Shown<i32> {
     drive.cluster.shown(value, Millis(u64::MAX / 2))
@@ -91,17 +91,37 @@ fn bus_r129_without_gear_information_the_driver_has_not_left() {
 }
 
 #[test]
-fn jl_r031_remote_upgrade_is_allowed_only_while_the_vehicle_is_known_to_stand() {
+fn jl_r031_remote_upgrade_is_allowed_only_while_the_vehicle_is_known_to_be_parked() {
+    let forbidden = |gear: u8, kmh: u16, ready: u8| {
+        let mut drive = Drive::healthy();
+        let [low, high] = (kmh * 256).to_le_bytes();
+        drive.keep(DRIVE, [gear, low, high, ready, 0, 0, 0, 0]);
+        drive.run(CYCLE);
+        shown(&drive, Value::ClusterUpgradeForbidden)
+    };
+    // Gears in the model's numbers; 0 and 20 are none.
+    let parked = [Gear::N, Gear::P];
+    for gear in 0..=20 {
+        let is_parked = Gear::from_model(gear.into()).is_some_and(|gear| parked.contains(&gear));
+        for kmh in [0, 1, 80] {
+            for ready in [0, 1] {
+                let expected = !(is_parked && kmh == 0 && ready == 0);
+                let shown = forbidden(gear, kmh, ready);
+                assert_eq!(shown, Shown::Value(expected.into()), "gear {gear}, {kmh} km/h, READY {ready}");
+            }
+        }
+    }
+}
+
+#[test]
+fn jl_r031_what_has_fallen_silent_allows_no_remote_upgrade() {
     let mut drive = Drive::healthy();
+    drive.keep(DRIVE, [3, 0, 0, 0, 0, 0, 0, 0]);
+    drive.run(CYCLE);
     assert_eq!(shown(&drive, Value::ClusterUpgradeForbidden), Shown::Value(0));
-    drive.gear_and_speed(1, 1);
-    drive.run(CYCLE);
-    assert_eq!(shown(&drive, Value::ClusterUpgradeForbidden), Shown::Value(1));
-    drive.gear_and_speed(3, 0);
-    drive.run(CYCLE);
     drive.stop(DRIVE);
     drive.run(DRIVE_TIMEOUT);
-    assert_eq!(shown(&drive, Value::ClusterUpgradeForbidden), Shown::Value(1), "unknown speed");
+    assert_eq!(shown(&drive, Value::ClusterUpgradeForbidden), Shown::Value(1));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Every 10 ms: frames in, the cluster's logic, frames and sounds out; feeds the watchdog.
 
+use cluster::{Conditions, Inputs};
 use heapless::Deque;
 use pico::{Buzzer, Led, now_us};
 use protocol_core::{CanFrame, Millis};
@@ -56,9 +57,10 @@ pub async fn tick(mut cx: Context<'_>) {
     let mut waiting = Deque::<CanFrame, WAITING>::new();
     let mut next = Mono::now();
     let mut ticks: u32 = 0;
+    let mut conditions = Conditions::default();
     loop {
         let now = Millis(now_us() / 1_000);
-        let inputs = local.wires.sample();
+        let inputs = Inputs { conditions, ..local.wires.sample() };
         cx.shared.cluster.lock(|cluster| {
             receive(local.frames_out, |frame, at| {
                 local.recognition.hear(cluster, frame, at);
@@ -97,10 +99,11 @@ pub async fn tick(mut cx: Context<'_>) {
         }
 
         if ticks.is_multiple_of(VIEW_TICKS) {
-            let mut view = cx.shared.cluster.lock(|cluster| cluster.view(now));
+            let view = cx.shared.cluster.lock(|cluster| cluster.view(now));
             let status = cx.shared.can.lock(|can| can.status());
             local.wires.look(telemetry::controller(status));
-            conditions::add(&mut view, status.controller.is_some(), local.recognition, cx.shared.boot, now);
+            let answers = status.controller.is_some();
+            conditions = conditions::gather(answers, local.recognition, cx.shared.boot, now);
             show_life(local.led, view.heartbeat);
             local.views_in.write(view);
         }

@@ -1,0 +1,101 @@
+//! What the firmware says of itself: the cause stands on the screen, not the nodes that are missed because of it.
+
+mod firmware;
+
+use bench::can::{Frame, Id};
+use bench::log::{Entry, Log};
+use bench::rig::{Rig, RigOptions};
+use bench::time::Nanos;
+use object::{Object, ObjectSection, ObjectSymbol};
+use protocol_core::link::{Screen, text_id};
+use std::path::Path;
+
+fn city() -> Log {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../vehicles/bus/captures/city.log");
+    Log::read_file(&path).unwrap()
+}
+
+fn says(rig: &Rig, text: &str) -> bool {
+    rig.screen().and_then(|screen: Screen| screen.line).is_some_and(|line| line.text == text_id(text))
+}
+
+/// Runs for `seconds` and asserts every 100 ms that the line says `text`.
+fn keeps_saying(rig: &mut Rig, text: &str, seconds: u64) {
+    for tenth in 0..seconds * 10 {
+        let line = rig.screen().and_then(|screen| screen.line);
+        assert!(says(rig, text), "{text} after {tenth} tenths of a second: {line:?}");
+        rig.run_for(Nanos::from_millis(100)).unwrap();
+    }
+}
+
+#[test]
+fn a_controller_that_answers_no_more_is_named_and_not_the_nodes_that_it_no_longer_hears() {
+    let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
+    rig.replay(&city(), true);
+    rig.run_for(Nanos::from_secs(6)).unwrap();
+    rig.board_mut().cut_miso(true);
+    rig.run_for(Nanos::from_millis(1_500)).unwrap();
+    keeps_saying(&mut rig, "No CAN controller: check wiring", 12);
+    rig.board_mut().cut_miso(false);
+    rig.run_for(Nanos::from_secs(3)).unwrap();
+    assert!(!says(&rig, "No CAN controller: check wiring"), "it is back");
+}
+
+#[test]
+fn a_wrong_recognition_says_so_for_as_long_as_the_bus_contradicts_it() {
+    let mut log = city();
+    // Once each: what a tester of another vehicle, or a log played into the wrong bus, may send.
+    let strays = [0x1802_28D0, 0x1803_28D0, 0x1804_28D0].into_iter().zip(0..).map(|(id, index)| {
+        let frame = Frame::new(Id::extended(id).expect("29 bits"), &[0; 8]).expect("8 bytes");
+        Entry { at: Nanos::from_millis(10 * index), frame, line: 0 }
+    });
+    let later = |entry: &mut Entry| entry.at += Nanos::from_millis(500);
+    log.entries.iter_mut().for_each(later);
+    log.entries.splice(0..0, strays);
+    let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
+    rig.run_for(Nanos::from_millis(300)).unwrap();
+    rig.replay(&log, false);
+    rig.run_for(Nanos::from_secs(3)).unwrap();
+    keeps_saying(&mut rig, "Another vehicle on this bus", 12);
+}
+
+/// Writes the image anew with the function whose mangled name ends in `name` replaced by an endless loop.
+fn with_endless_loop(elf: &Path, name: &str, to: &Path) {
+    let mut bytes = std::fs::read(elf).unwrap();
+    let file = object::File::parse(&*bytes).unwrap();
+    let mut found = file.symbols().filter(|symbol| symbol.name().is_ok_and(|it| it.contains(name)));
+    let symbol = found.next().unwrap_or_else(|| panic!("{name} is not in the image"));
+    assert!(found.next().is_none(), "{name} is there twice");
+    let section = file.section_by_index(symbol.section_index().unwrap()).unwrap();
+    let (start, _) = section.file_range().unwrap();
+    // Bit 0 of the address of a function only says that it is Thumb code.
+    let place = (start + (symbol.address() & !1) - section.address()) as usize;
+    drop(found);
+    // `b .`
+    bytes[place..place + 2].copy_from_slice(&0xE7FE_u16.to_le_bytes());
+    std::fs::write(to, bytes).unwrap();
+}
+
+#[test]
+fn a_reset_by_the_watchdog_is_said_on_the_screen_for_ten_seconds() {
+    let folder = tempfile::tempdir().unwrap();
+    let elf = folder.path().join("stands-still.elf");
+    // Reached by the first fault: until then this firmware is like any other.
+    with_endless_loop(&firmware::elf(), "6Faults7present", &elf);
+    let mut rig = Rig::new(&elf, &RigOptions::default()).unwrap();
+    rig.run_for(Nanos::from_secs(1)).unwrap();
+    assert!(!says(&rig, "Cluster restarted after a fault"), "power came up");
+    // Three identifiers of the bus, one of them with a level 3 fault: recognised, and the firmware stands still.
+    for (id, data) in [
+        (0x0CF1_01A7, [0x07, 0, 0, 0, 0, 0xFF, 0x80, 1]),
+        (0x18F1_3DF3, [0x7C, 0x15, 0x10, 0x27, 0xC8, 0, 0x50, 0x40]),
+        (0x0CF1_064A, [3, 0, 0, 0xFF, 0, 0xFF, 0xFF, 0xFF]),
+    ] {
+        rig.send(Frame::new(Id::extended(id).expect("29 bits"), &data).expect("8 bytes"));
+    }
+    // The watchdog's second, and the start.
+    rig.run_for(Nanos::from_millis(2_000)).unwrap();
+    keeps_saying(&mut rig, "Cluster restarted after a fault", 8);
+    rig.run_for(Nanos::from_secs(3)).unwrap();
+    assert!(!says(&rig, "Cluster restarted after a fault"), "ten seconds are over");
+}
