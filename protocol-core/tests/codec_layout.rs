@@ -5,7 +5,6 @@
 use protocol_core::codec::{MessageInfo, SignalInfo};
 use protocol_core::generated::MESSAGES;
 use std::collections::BTreeSet;
-use std::path::Path;
 
 /// Returns byte and bit of each raw bit, lowest first, found by writing it.
 fn places(signal: &SignalInfo) -> Vec<(usize, u32)> {
@@ -53,7 +52,7 @@ fn printed(position: &str, first_byte: usize) -> Option<Vec<(usize, u32)>> {
 }
 
 fn compare(vehicle: &str, messages: &[MessageInfo]) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../vehicles/{vehicle}/layout.csv"));
+    let path = surroundings::root().join(format!("vehicles/{vehicle}/layout.csv"));
     let text = std::fs::read_to_string(&path).expect("layout.csv is there");
     let mut met = BTreeSet::new();
     for (index, line) in text.lines().enumerate().skip(1) {

@@ -7,7 +7,6 @@ use protocol_core::codec::{MessageInfo, Mux, SignalInfo};
 use protocol_core::generated::{MESSAGES, VEHICLES};
 use protocol_core::model::{Reading, Readings, Unit, Value};
 use protocol_core::vehicle::Vehicle;
-use std::path::Path;
 
 /// Returns how many model counts one unit of the DBC is, as a fraction; `None` for states.
 fn counts(unit: Unit, dbc: &str) -> Option<(i64, i64)> {
@@ -109,8 +108,7 @@ fn untouched_by_other_pages(
 fn every_plainly_bound_value_is_the_physical_value_in_the_models_unit() {
     let (mut lines, mut values) = (0, 0);
     for vehicle in VEHICLES {
-        let path =
-            Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../vehicles/{}/vehicle.toml", vehicle.name));
+        let path = surroundings::root().join(format!("vehicles/{}/vehicle.toml", vehicle.name));
         let text = std::fs::read_to_string(path).expect("vehicle.toml is there");
         let messages = MESSAGES.iter().find(|(name, _)| *name == vehicle.name).expect("its messages").1;
         let mut message = None;

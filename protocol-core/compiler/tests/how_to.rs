@@ -1,11 +1,7 @@
 //! The page "Add your vehicle in an hour", executed: its blocks make a vehicle in an empty folder.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
+use surroundings::root;
 
 /// Returns the words behind the fence, and the text, of every block of the page.
 fn blocks() -> Vec<(String, String)> {

@@ -1,11 +1,10 @@
 //! The made-up vehicle of protocol-core's tests: its generated file is what the generator writes today.
 
 use std::fs;
-use std::path::Path;
 
 #[test]
 fn the_torture_vehicle_is_generated_as_committed() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/codec_torture");
+    let folder = surroundings::root().join("protocol-core/tests/codec_torture");
     let read = |file: &str| fs::read_to_string(folder.join(file)).expect("the file is there");
     let (dbc, toml) = (read("torture.dbc"), read("vehicle.toml"));
     let compile = || vehicle_compiler::compile("torture", ("torture.dbc", &dbc), ("vehicle.toml", &toml));
