@@ -10,6 +10,7 @@ mod programs;
 
 use self::core::{Core, Cost, DATA};
 use self::programs::{LEVELS, Level, Programs};
+use crate::out::say;
 use crate::workspace;
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
@@ -114,12 +115,12 @@ pub fn run(options: &Options) -> Result<()> {
             let text = origin + &table(CANTOOLS, &c, signals(&mix));
             pages.push(Block { marker: "codecs of cantools", text });
         }
-        None => println!(
-            "skipped: cantools' C, there is no arm-none-eabi-gcc (`apt-get install gcc-arm-none-eabi`)"
-        ),
+        None => {
+            say!("skipped: cantools' C, there is no arm-none-eabi-gcc (`apt-get install gcc-arm-none-eabi`)")?
+        }
     }
     for page in &pages {
-        println!("{}", page.text);
+        say!("{}", page.text)?;
     }
     print_throughput(&mix, &frames)?;
     check_targets(&programs, &rust)?;
@@ -292,12 +293,12 @@ fn print_throughput(mix: &[Message], frames: &[Vec<[u8; 8]>]) -> Result<()> {
     let path = crate::output_folder()?.join("codec-frames.txt");
     std::fs::write(&path, text)?;
     let (ours, theirs) = programs::throughput(&path)?;
-    println!(
+    say!(
         "(this PC: ours {:.1} million frames per second, cantools {:.3} million: {:.0} times as many)\n",
         ours / 1e6,
         theirs / 1e6,
         ours / theirs
-    );
+    )?;
     Ok(())
 }
 
@@ -340,14 +341,14 @@ fn quote(blocks: &[Block], check: bool) -> Result<()> {
             bail!("{PAGE} quotes other figures; `cargo xtask codecs` writes these into it");
         }
         if check {
-            println!("only the targets are checked: {PAGE} is of `{there}`, this is `{here}`");
+            say!("only the targets are checked: {PAGE} is of `{there}`, this is `{here}`")?;
             continue;
         }
         page = format!("{head}{}{tail}", block.text);
     }
     if !check {
         std::fs::write(path, page)?;
-        println!("{PAGE} is up to date");
+        say!("{PAGE} is up to date")?;
     }
     Ok(())
 }

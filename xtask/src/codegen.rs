@@ -1,5 +1,6 @@
 //! Generates `protocol-core/src/generated/` from the vehicles' folders.
 
+use crate::out::say;
 use anyhow::{Result, bail};
 use clap::Args;
 
@@ -20,7 +21,7 @@ pub fn run(options: &Options) -> Result<()> {
     if options.check {
         return match vehicle_compiler::check(&root) {
             Ok(()) => {
-                println!("generated files are up to date");
+                say!("generated files are up to date")?;
                 Ok(())
             }
             Err(problem) => bail!("{problem}"),
@@ -28,7 +29,7 @@ pub fn run(options: &Options) -> Result<()> {
     }
     match vehicle_compiler::write(&root) {
         Ok(files) => {
-            files.iter().for_each(|file| println!("{}", file.display()));
+            files.iter().try_for_each(|file| say!("{}", file.display()))?;
             Ok(())
         }
         Err(problem) => bail!("{problem}"),

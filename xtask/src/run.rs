@@ -1,5 +1,6 @@
 //! Drives the real firmware on the virtual bench.
 
+use crate::out::say;
 use crate::vehicles::Tables;
 use crate::{firmware, vehicle, workspace};
 use anyhow::{Context, Result};
@@ -7,6 +8,7 @@ use bench::join::Members;
 use bench::join::adapter::Bridge;
 use bench::join::recorder::Recorder;
 use bench::log::Log;
+use bench::page::{Server, Start};
 use bench::rig::{Rig, RigOptions};
 use bench::time::Nanos;
 use clap::Args;
@@ -83,7 +85,7 @@ pub fn run(options: &Options) -> Result<()> {
         Some(elf) => elf.clone(),
         None => {
             let (panel, crystal) = (options.panel, options.crystal);
-            firmware::build(&firmware::Options { panel, crystal, vehicle: None })?.elf
+            firmware::build(&firmware::Options { panel, crystal, ..firmware::Options::default() })?.elf
         }
     };
     let rig_options = RigOptions {
@@ -114,12 +116,13 @@ pub fn run(options: &Options) -> Result<()> {
         Ok(rig)
     };
     for note in &notes {
-        println!("{note}");
+        say!("{note}")?;
     }
     if !options.headless {
-        let start =
-            bench::page::Start { port: options.port, vehicle: kind, recording, notes, elf: Some(page_elf) };
-        return bench::page::serve(start, make);
+        let start = Start { port: options.port, vehicle: kind, recording, notes, elf: Some(page_elf) };
+        let server = Server::start(start, make)?;
+        say!("the cluster drives at http://{}/  (Ctrl-C ends it)", server.address())?;
+        return server.wait();
     }
     let mut rig = make(kind)?;
     let wall_seconds = drive(&mut rig, options)?;
@@ -127,8 +130,7 @@ pub fn run(options: &Options) -> Result<()> {
         std::fs::write(path, rig.picture_png())
             .with_context(|| format!("cannot write {}", path.display()))?;
     }
-    report(&rig, wall_seconds);
-    Ok(())
+    report(&rig, wall_seconds)
 }
 
 /// The headless run that the README promises, for `ci`.
@@ -228,18 +230,21 @@ fn from_root(path: &Path) -> PathBuf {
     if path.exists() { path.to_owned() } else { workspace::root().join(path) }
 }
 
-fn report(rig: &Rig, wall_seconds: f64) {
+fn report(rig: &Rig, wall_seconds: f64) -> Result<()> {
     let counts = rig.counts();
     let seconds = rig.now().as_secs_f64();
-    println!(
+    say!(
         "drove    {seconds:.3} s of virtual time, {:.2} times as fast as real time",
         seconds / wall_seconds
-    );
-    println!(
+    )?;
+    say!(
         "frames   {} on the bus for the cluster, {} received, {} lost",
-        counts.on_bus, counts.received, counts.lost
-    );
+        counts.on_bus,
+        counts.received,
+        counts.lost
+    )?;
     for (name, value) in rig.shown_lines() {
-        println!("shown    {name:24} {value}");
+        say!("shown    {name:24} {value}")?;
     }
+    Ok(())
 }
