@@ -10,7 +10,7 @@ use bench::time::Nanos;
 use protocol_core::Value;
 use protocol_core::link::{Record, Sample};
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use surroundings::{need, root};
 

@@ -60,7 +60,9 @@ impl Module {
 pub fn run(options: &Options) -> Result<()> {
     match measure(options)? {
         Outcome::Done => Ok(()),
-        Outcome::Skipped(reason) | Outcome::Unreachable(reason) => bail!("{reason}"),
+        Outcome::Skipped(reason) | Outcome::Unreachable(reason) | Outcome::Partly(reason) => {
+            bail!("{reason}")
+        }
     }
 }
 

@@ -50,8 +50,8 @@ pub fn run_steps(steps: &mut Steps, arguments: &[String]) -> Result<()> {
             Ok(())
         })?;
     }
-    let skips = crate::output_folder()?.join("skipped-tests.txt");
-    std::fs::write(&skips, "").with_context(|| format!("cannot write {}", skips.display()))?;
+    // One file per run: two may go on at once.
+    let skips = crate::output_folder()?.join(format!("skipped-tests-{}.txt", std::process::id()));
     steps.run("cargo test", || {
         let mut command = workspace::cargo();
         command.args(["test", "--no-fail-fast"]).args(arguments);
@@ -67,8 +67,12 @@ pub fn run_steps(steps: &mut Steps, arguments: &[String]) -> Result<()> {
         }
         workspace::run(command.env(need::FILE, &skips))
     })?;
-    for line in std::fs::read_to_string(&skips)?.lines() {
-        steps.skip(line.to_owned());
+    // Without a skip there is no file.
+    if skips.exists() {
+        let noted =
+            std::fs::read_to_string(&skips).and_then(|noted| std::fs::remove_file(&skips).map(|()| noted));
+        let noted = noted.with_context(|| format!("cannot read {}", skips.display()))?;
+        noted.lines().for_each(|line| steps.skip(line.to_owned()));
     }
     Ok(())
 }

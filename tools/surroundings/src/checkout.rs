@@ -43,6 +43,8 @@ fn missing(running: Option<&Path>, compiled: &Path) -> String {
 }
 
 fn find(running: Option<&Path>, compiled: &Path) -> Option<PathBuf> {
+    // A relative path would be one from wherever the program was started.
+    let running = running.filter(|path| path.is_absolute());
     [running, Some(compiled)].into_iter().flatten().find_map(around).map(Path::to_path_buf)
 }
 
@@ -97,6 +99,7 @@ mod tests {
         let (other, ours) = (tempfile::tempdir().unwrap(), checkout());
         let core = ours.path().join("protocol-core");
         assert_eq!(find(Some(other.path()), &core).unwrap(), ours.path());
+        assert_eq!(find(Some(Path::new("")), &core).unwrap(), ours.path(), "nothing is no folder");
     }
 
     #[test]
