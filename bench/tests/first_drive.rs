@@ -17,6 +17,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
+use surroundings::need;
 
 /// Time that the firmware has to start before the first frame is sent.
 const BOOT: Nanos = Nanos::from_millis(500);
@@ -24,7 +25,7 @@ const BOOT: Nanos = Nanos::from_millis(500);
 const SETTLED: Nanos = Nanos::from_millis(230);
 
 fn city() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../vehicles/bus/captures/city.log")
+    surroundings::root().join("vehicles/bus/captures/city.log")
 }
 
 /// What a drive along the whole of city.log left behind.
@@ -94,8 +95,8 @@ impl Drive {
 
 /// Asks cantools for the last value of every signal in a log.
 fn cantools(log: &Path) -> Option<HashMap<String, f64>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let python = firmware::witness_python()?;
+    let root = surroundings::root();
+    let python = need::witness("the firmware's values of the city drive")?;
     let output = Command::new(python)
         .arg(root.join("tools/witness/last_values.py"))
         .arg(root.join("vehicles/bus/bus.dbc"))
@@ -199,7 +200,7 @@ fn the_picture_rebuilt_from_spi_bytes_is_the_picture_drawn_on_the_host() {
     let host = host_picture(drive);
     let differing = host.iter().zip(&drive.pixels).filter(|(host, panel)| host != panel).count();
     if differing != 0 {
-        let out = Path::new(env!("CARGO_TARGET_TMPDIR"));
+        let out = surroundings::scratch();
         firmware::save_565(&out.join("host.png"), &host);
         firmware::save_565(&out.join("panel.png"), &drive.pixels);
         panic!("{differing} pixels differ: compare host.png and panel.png in {}", out.display());

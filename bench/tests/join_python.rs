@@ -15,9 +15,10 @@ use bench::time::Nanos;
 use protocol_core::Value;
 use protocol_core::link::Sample;
 use std::collections::{HashMap, VecDeque};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
+use surroundings::{need, root};
 use virtual_vehicle::{Kind, Options, VirtualVehicle};
 
 /// Virtual time between two looks at the client and the firmware.
@@ -39,10 +40,6 @@ const TOLD: &[(&str, f64, &str, f64)] = &[
 const LOST: &str = "VCU1";
 /// What the client says of the speed, in km/h.
 const SPEED: i32 = 88;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
 
 /// A vehicle that does not send its speed.
 fn vehicle() -> VirtualVehicle {
@@ -147,7 +144,7 @@ impl Joined {
 
 #[test]
 fn python_can_hears_the_vehicle_and_what_it_sends_moves_the_needle() {
-    let Some(python) = firmware::witness_python() else { return };
+    let Some(python) = need::witness("another tool on the bus") else { return };
     let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
     rig.drive(vehicle());
     let pty = Pty::open().unwrap();

@@ -13,8 +13,8 @@ use browser::Browser;
 use protocol_core::generated::VEHICLES;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
-use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use surroundings::{need, root};
 use virtual_vehicle::{Kind, Options, VirtualVehicle};
 
 /// Two cores do not carry several engines and browsers at once.
@@ -40,16 +40,11 @@ fn bench_with(vehicle: Option<Kind>) -> anyhow::Result<Rig> {
     Ok(rig)
 }
 
-fn root() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
 /// Opens the page; `None` where there is no Chromium, which is an error in CI.
 fn visit(width: u32, height: u32) -> Option<Visit> {
     let turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let Some(chromium) = browser::find() else {
-        assert!(std::env::var_os("CI").is_none(), "no Chromium: `apt-get install chromium`");
-        println!("skipped: no Chromium; `apt-get install chromium`, or name yours in CHROME");
+        need::CHROMIUM.skip(std::thread::current().name().unwrap_or("the page"));
         return None;
     };
     let start = Start {

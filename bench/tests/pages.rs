@@ -6,7 +6,6 @@ use bench::log::Log;
 use bench::rig::{Rig, RigOptions};
 use bench::time::Nanos;
 use protocol_core::link::Record;
-use std::path::Path;
 
 /// The button that turns pages.
 const NEXT: usize = 0;
@@ -25,7 +24,7 @@ fn page(rig: &Rig) -> u8 {
 }
 
 fn driving() -> Rig {
-    let city = Path::new(env!("CARGO_MANIFEST_DIR")).join("../vehicles/bus/captures/city.log");
+    let city = surroundings::root().join("vehicles/bus/captures/city.log");
     let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
     rig.replay(&Log::read_file(&city).unwrap(), true);
     rig.run_for(Nanos::from_secs(4)).unwrap();

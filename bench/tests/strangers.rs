@@ -33,7 +33,7 @@ fn noise(ids: &[u16]) -> Log {
         let data = index.wrapping_mul(0x9E37_79B9_7F4A_7C15).to_le_bytes();
         Entry { at: Nanos(index * SPACING.0), frame: Frame::new(id, &data).expect("8 bytes"), line: 0 }
     });
-    Log { origin: Nanos::ZERO, entries: entries.collect(), error_frames: 0 }
+    Log::of(entries.collect())
 }
 
 /// Runs the firmware on a bus with these identifiers.
@@ -102,7 +102,7 @@ fn a_vehicle_that_is_only_likely_is_shown_and_only_listened_to() {
         let frame = Frame::new(id, &data).expect("8 bytes");
         Entry { at: Nanos::from_millis(200 * index), frame, line: 0 }
     });
-    let log = Log { origin: Nanos::ZERO, entries: entries.collect(), error_frames: 0 };
+    let log = Log::of(entries.collect());
     let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
     rig.run_for(Nanos::from_millis(300)).unwrap();
     rig.replay(&log, false);

@@ -10,17 +10,14 @@ use bench::time::Nanos;
 use protocol_core::Value;
 use protocol_core::link::{Record, Sample};
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
+use surroundings::{need, root};
 
 /// Time that the firmware has to start before the first frame is sent.
 const BOOT: Nanos = Nanos::from_millis(500);
 /// Part of each recording that is played, in milliseconds.
 const PLAYED_MS: u64 = 4_000;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
 
 /// A value of the model, the signal that brings it, model counts in one unit of the signal.
 type Row = (&'static str, &'static str, f64);
@@ -133,7 +130,7 @@ impl Vehicle {
 
     /// What cantools decodes from the frames that were played.
     fn cantools(&self) -> Option<HashMap<String, f64>> {
-        let output = Command::new(firmware::witness_python()?)
+        let output = Command::new(need::witness("the values of the recordings")?)
             .arg(root().join("tools/witness/last_values.py"))
             .arg(root().join(format!("vehicles/{0}/{0}.dbc", self.name)))
             .arg(self.path())

@@ -12,8 +12,8 @@ use protocol_core::codec::{MessageInfo, Mux, Order, SignalInfo};
 use protocol_core::{checksum, codec, frame, model, stream, vehicle};
 use serde_json::Value as Json;
 use std::io::{BufRead, BufReader, Read};
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use surroundings::{need, root};
 
 #[path = "codec_torture/torture.rs"]
 #[rustfmt::skip]
@@ -22,28 +22,6 @@ mod torture;
 
 /// A signal that is not in the frame.
 const ABSENT: i64 = i64::MIN;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
-/// Returns an interpreter that has cantools, or why there is none.
-fn interpreter() -> Result<PathBuf, String> {
-    let installed = root().join("target/venv/bin/python");
-    let python = match std::env::var_os("WITNESS_PYTHON") {
-        Some(python) => PathBuf::from(python),
-        None if installed.is_file() => installed,
-        None => PathBuf::from("python3"),
-    };
-    let probe = Command::new(&python).args(["-c", "import cantools"]).stderr(Stdio::null()).status();
-    match probe {
-        Ok(status) if status.success() => Ok(python),
-        _ => Err(format!(
-            "{} has no cantools: `cargo xtask test` installs it into target/venv",
-            python.display()
-        )),
-    }
-}
 
 /// A fraction of the witness, with a positive denominator.
 #[derive(Clone, Copy)]
@@ -172,14 +150,7 @@ fn sweep(messages: &[MessageInfo]) -> u64 {
 /// Compares all messages of a DBC file, named from the root of the repository, with the witness.
 fn compare(dbc: &str, messages: &'static [MessageInfo]) {
     let at_least = sweep(messages);
-    let python = match interpreter() {
-        Ok(python) => python,
-        Err(reason) if std::env::var("CI").as_deref() == Ok("true") => panic!("{reason}"),
-        Err(reason) => {
-            eprintln!("skipped, {dbc} has no second witness here: {reason}");
-            return;
-        }
-    };
+    let Some(python) = need::witness(dbc) else { return };
     let mut child = Command::new(python)
         .arg(root().join("tools/witness/decode_witness.py"))
         .arg(root().join(dbc))

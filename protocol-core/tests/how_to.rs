@@ -5,7 +5,6 @@
 // The generated file names these as parts of its own crate.
 use protocol_core::{CanFrame, CanId, Reading, Readings, Value};
 use protocol_core::{checksum, codec, frame, model, stream, vehicle};
-use std::path::Path;
 
 #[path = "how_to/van.rs"]
 #[rustfmt::skip]
@@ -14,7 +13,7 @@ mod van;
 
 /// Returns the text of the page's block of this kind.
 fn block(kind: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/add-your-vehicle.md");
+    let path = surroundings::root().join("docs/add-your-vehicle.md");
     let page = std::fs::read_to_string(path).expect("the page is there");
     let (_, rest) = page.split_once(&format!("```{kind}\n")).expect("the block is there");
     rest.split("```").next().expect("its end").trim().into()

@@ -1,5 +1,6 @@
 //! Everything that CI runs; what is not in here is not a rule.
 
+use crate::out::say;
 use crate::steps::{Outcome, Steps};
 use crate::{
     codecs, codegen, coverage, dbc, figures, firmware, flash, layers, reference, rules, run, scenario,
@@ -14,32 +15,35 @@ use std::process::Command;
 /// If any step failed.
 pub fn run() -> Result<()> {
     let mut steps = Steps::default();
-    steps.run("tools that the tests ask for a second opinion", install_tools);
-    steps.run("fmt", || workspace::run(workspace::cargo().args(["fmt", "--all", "--check"])));
-    steps.run("layers", layers::run);
-    steps.run("generated codecs are up to date", || codegen::run(&codegen::Options { check: true }));
-    steps.run("reference pages are up to date", || reference::run(&reference::Options { check: true }));
-    steps.run("every rule of the documents is shown", || rules::run(&rules::Options { check: true }));
-    steps.run("DBC files are clean", || dbc::run(&dbc::Options::default()));
-    steps.run("clippy on the PC", || clippy(workspace::cargo(), &[], &["--all-targets"]));
+    steps.run("tools that the tests ask for a second opinion", install_tools)?;
+    steps.run("fmt", || workspace::run(workspace::cargo().args(["fmt", "--all", "--check"])))?;
+    steps.run("layers", layers::run)?;
+    steps.run("generated codecs are up to date", || codegen::run(&codegen::Options { check: true }))?;
+    steps.run("reference pages are up to date", || reference::run(&reference::Options { check: true }))?;
+    steps.run("every rule of the documents is shown", || rules::run(&rules::Options { check: true }))?;
+    steps.run("DBC files are clean", || dbc::run(&dbc::Options::default()))?;
+    steps.run("clippy on the PC", || clippy(workspace::cargo(), &[], &["--all-targets"]))?;
     steps.run("clippy for the chip", || {
         let toolchain = toolchain::Toolchain::find_or_install()?;
         let target = ["--target", toolchain::TARGET, "--package", "firmware", "--package", "pico"];
         let target: Vec<&str> = target.iter().chain(toolchain.arguments()).copied().collect();
         clippy(toolchain.cargo(), &target, &[])
-    });
-    steps.try_run("licences and advisories", deny);
-    test::run_steps(&mut steps, &[]);
+    })?;
+    steps.try_run("licences, bans and sources", deny)?;
+    steps.try_run("advisories", advisories)?;
+    test::run_steps(&mut steps, &[])?;
     steps.try_run("every line of the cluster is tested", || {
         coverage::measure(&coverage::Options { check: true })
-    });
-    steps.run("screens", || screens::run(&screens::Options::default()));
-    steps.run("scenarios on the host and on the firmware", || scenario::run(&scenario::Options::default()));
-    steps.run("size", || firmware::size(&firmware::Options::default()));
-    steps.run("run --headless", || run::headless_for_ci(&crate::output_folder()?.join("drive.png")));
-    steps.run("figures in the README", || figures::run(&figures::Options { check: true }));
-    steps.run("codec costs in the docs", || codecs::run(&codecs::Options { check: true }));
-    steps.run("flash --dry-run", flash::dry_run);
+    })?;
+    steps.run("screens", || screens::run(&screens::Options::default()))?;
+    steps
+        .run("scenarios on the host and on the firmware", || scenario::run(&scenario::Options::default()))?;
+    steps.run("size", || firmware::size(&firmware::Options::default()))?;
+    steps.run("run --headless", || run::headless_for_ci(&crate::output_folder()?.join("drive.png")))?;
+    steps.run("figures in the README", || figures::run(&figures::Options { check: true }))?;
+    steps
+        .try_run("codec costs in the docs", || codecs::measure_and_quote(&codecs::Options { check: true }))?;
+    steps.run("flash to a board's drive", flash::check)?;
     steps.finish()
 }
 
@@ -64,12 +68,12 @@ fn install_tools() -> Result<()> {
     let is_missing = |tool: &&Tool| !tool.names.iter().copied().any(workspace::has);
     let missing: Vec<&str> = TOOLS.iter().filter(is_missing).map(|tool| tool.package).collect();
     if missing.is_empty() {
-        println!("{} are here", TOOLS.iter().map(|tool| tool.package).collect::<Vec<_>>().join(", "));
+        say!("{} are here", TOOLS.iter().map(|tool| tool.package).collect::<Vec<_>>().join(", "))?;
         return Ok(());
     }
     let advice = format!("`apt-get install {}`", missing.join(" "));
     if !workspace::is_ci() {
-        println!("the tests that need {} will be skipped: {advice}", missing.join(", "));
+        say!("the tests that need {} will be skipped: {advice}", missing.join(", "))?;
         return Ok(());
     }
     let apt = |arguments: &[&str]| {
@@ -83,24 +87,28 @@ fn install_tools() -> Result<()> {
 
 fn deny() -> Result<Outcome> {
     if !workspace::has("cargo-deny") {
-        let install = ["install", "--quiet", "--locked", "cargo-deny"];
         if !workspace::is_ci() {
-            return Ok(Outcome::Skipped("cargo-deny is missing: `cargo install --locked cargo-deny`".into()));
+            return Ok(Outcome::Skipped(NO_CARGO_DENY.into()));
         }
-        workspace::run(workspace::cargo().args(install))?;
+        workspace::run(workspace::cargo().args(["install", "--quiet", "--locked", "cargo-deny"]))?;
     }
-    // Advisories need the advisory database from the network; licences, bans and sources do not.
     let mut checks = workspace::cargo();
     workspace::run(checks.args(["deny", "--all-features", "check", "licenses", "bans", "sources"]))?;
-    let mut advisories = workspace::cargo();
-    match workspace::capture(advisories.args(["deny", "check", "advisories"])) {
+    Ok(Outcome::Done)
+}
+
+/// Asks the advisory database, which is on the network.
+fn advisories() -> Result<Outcome> {
+    if !workspace::has("cargo-deny") {
+        return Ok(Outcome::Skipped(NO_CARGO_DENY.into()));
+    }
+    match workspace::capture(workspace::cargo().args(["deny", "check", "advisories"])) {
         Ok(_) => Ok(Outcome::Done),
         Err(error) if format!("{error:#}").contains("failed to fetch advisory database") => {
-            println!(
-                "the advisory database cannot be reached from here; licences, bans and sources are checked"
-            );
-            Ok(Outcome::Done)
+            Ok(Outcome::Unreachable("the advisory database cannot be reached from here".into()))
         }
         Err(error) => bail!("{error:#}"),
     }
 }
+
+const NO_CARGO_DENY: &str = "cargo-deny is missing: `cargo install --locked cargo-deny`";

@@ -10,6 +10,8 @@ mod programs;
 
 use self::core::{Core, Cost, DATA};
 use self::programs::{LEVELS, Level, Programs};
+use crate::out::say;
+use crate::steps::Outcome;
 use crate::workspace;
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
@@ -102,11 +104,23 @@ impl Measured {
 /// # Errors
 /// If a program cannot be built or run, two decoders disagree, a target is missed, or the page quotes other figures.
 pub fn run(options: &Options) -> Result<()> {
+    if let Outcome::Partly(reason) = measure_and_quote(options)? {
+        say!("skipped: {reason}")?;
+    }
+    Ok(())
+}
+
+/// Does what [`run`] does; without a C compiler for the chip the part of cantools is left out.
+///
+/// # Errors
+/// Like [`run`].
+pub fn measure_and_quote(options: &Options) -> Result<Outcome> {
     let programs = Programs::build()?;
     let mix = messages(&programs)?;
     let frames = frames(&mix);
     let rust = measure_all(&programs, CANDIDATES, &mix, &frames)?;
     let mut pages = vec![Block { marker: "codecs", text: rust_tables(&programs, &mix, &rust)? }];
+    let mut left_out = None;
     match &programs.gcc {
         Some(gcc) => {
             let c = measure_all(&programs, CANTOOLS, &mix, &frames)?;
@@ -114,16 +128,15 @@ pub fn run(options: &Options) -> Result<()> {
             let text = origin + &table(CANTOOLS, &c, signals(&mix));
             pages.push(Block { marker: "codecs of cantools", text });
         }
-        None => println!(
-            "skipped: cantools' C, there is no arm-none-eabi-gcc (`apt-get install gcc-arm-none-eabi`)"
-        ),
+        None => left_out = Some("cantools' C: no arm-none-eabi-gcc, `apt-get install gcc-arm-none-eabi`"),
     }
     for page in &pages {
-        println!("{}", page.text);
+        say!("{}", page.text)?;
     }
     print_throughput(&mix, &frames)?;
     check_targets(&programs, &rust)?;
-    quote(&pages, options.check)
+    quote(&pages, options.check)?;
+    Ok(left_out.map_or(Outcome::Done, |reason| Outcome::Partly(reason.into())))
 }
 
 fn signals(mix: &[Message]) -> usize {
@@ -292,12 +305,12 @@ fn print_throughput(mix: &[Message], frames: &[Vec<[u8; 8]>]) -> Result<()> {
     let path = crate::output_folder()?.join("codec-frames.txt");
     std::fs::write(&path, text)?;
     let (ours, theirs) = programs::throughput(&path)?;
-    println!(
+    say!(
         "(this PC: ours {:.1} million frames per second, cantools {:.3} million: {:.0} times as many)\n",
         ours / 1e6,
         theirs / 1e6,
         ours / theirs
-    );
+    )?;
     Ok(())
 }
 
@@ -340,14 +353,14 @@ fn quote(blocks: &[Block], check: bool) -> Result<()> {
             bail!("{PAGE} quotes other figures; `cargo xtask codecs` writes these into it");
         }
         if check {
-            println!("only the targets are checked: {PAGE} is of `{there}`, this is `{here}`");
+            say!("only the targets are checked: {PAGE} is of `{there}`, this is `{here}`")?;
             continue;
         }
         page = format!("{head}{}{tail}", block.text);
     }
     if !check {
         std::fs::write(path, page)?;
-        println!("{PAGE} is up to date");
+        say!("{PAGE} is up to date")?;
     }
     Ok(())
 }

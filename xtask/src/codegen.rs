@@ -2,6 +2,7 @@
 //!
 //! The same as `cargo run -p vehicle-compiler`, which is there for a tree in which this program does not build.
 
+use crate::out::say;
 use anyhow::{Result, bail};
 use clap::Args;
 
@@ -22,7 +23,7 @@ pub fn run(options: &Options) -> Result<()> {
     if options.check {
         return match vehicle_compiler::check(&root) {
             Ok(()) => {
-                println!("generated files are up to date");
+                say!("generated files are up to date")?;
                 Ok(())
             }
             Err(problem) => bail!("{problem}"),
@@ -30,7 +31,7 @@ pub fn run(options: &Options) -> Result<()> {
     }
     match vehicle_compiler::write(&root) {
         Ok(files) => {
-            files.iter().for_each(|file| println!("{}", file.display()));
+            files.iter().try_for_each(|file| say!("{}", file.display()))?;
             Ok(())
         }
         Err(problem) => bail!("{problem}"),

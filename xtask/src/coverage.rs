@@ -5,12 +5,14 @@
 //! generated code are not counted. A stable compiler has no branch coverage; its regions are finer than lines.
 //! Needs the compiler's own LLVM tools; refuses those of another version, which cannot read its counters.
 
+use crate::out::{note, say};
 use crate::steps::Outcome;
 use crate::{toolchain, workspace};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use serde_json::Value as Json;
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -58,7 +60,9 @@ impl Module {
 pub fn run(options: &Options) -> Result<()> {
     match measure(options)? {
         Outcome::Done => Ok(()),
-        Outcome::Skipped(reason) => bail!("{reason}"),
+        Outcome::Skipped(reason) | Outcome::Unreachable(reason) | Outcome::Partly(reason) => {
+            bail!("{reason}")
+        }
     }
 }
 
@@ -75,7 +79,7 @@ pub fn measure(options: &Options) -> Result<Outcome> {
     let programs = build(&folder)?;
     let profile = run_programs(&programs, &folder, &tools)?;
     let modules = read(&programs, &profile, &tools)?;
-    print_table(&modules);
+    print_table(&modules)?;
     if options.check {
         check(&modules)?;
     }
@@ -98,7 +102,7 @@ fn find_or_install_tools() -> Result<PathBuf> {
         if !workspace::has("rustup") {
             return Err(missing);
         }
-        println!("installing the coverage tools: rustup component add llvm-tools");
+        note!("installing the coverage tools: rustup component add llvm-tools");
         workspace::run(Command::new("rustup").args(["component", "add", "llvm-tools"])).context(ADVICE)?;
         find()
     })
@@ -150,7 +154,7 @@ fn run_programs(programs: &[Program], folder: &Path, tools: &Path) -> Result<Pat
         let output =
             command.output().with_context(|| format!("cannot start {}", program.executable.display()))?;
         if !output.status.success() {
-            print!("{}", String::from_utf8_lossy(&output.stdout));
+            say!("{}", String::from_utf8_lossy(&output.stdout).trim_end())?;
             bail!(
                 "{}: a test failed; `cargo xtask test` shows it without counters",
                 program.executable.display()
@@ -257,24 +261,25 @@ fn add<Place: Ord>(counts: &mut Counts<Place>, place: Place, count: u64) {
     *known = count.max(*known);
 }
 
-fn print_table(modules: &BTreeMap<String, Module>) {
-    println!("{:<38} {:>6} {:>7} {:>8} {:>7}", "module", "lines", "reached", "regions", "reached");
+fn print_table(modules: &BTreeMap<String, Module>) -> io::Result<()> {
+    say!("{:<38} {:>6} {:>7} {:>8} {:>7}", "module", "lines", "reached", "regions", "reached")?;
     for folder in SOURCES {
         let inside = || modules.iter().filter(|(name, _)| name.starts_with(folder));
         for (name, module) in inside().filter(|(_, module)| !module.lines.is_empty()) {
-            print_row(name, &[module]);
+            print_row(name, &[module])?;
         }
-        print_row(folder, &inside().map(|(_, module)| module).collect::<Vec<_>>());
+        print_row(folder, &inside().map(|(_, module)| module).collect::<Vec<_>>())?;
     }
     for (name, module) in modules {
         let missed: Vec<String> = module.missed_lines().map(|line| line.to_string()).collect();
         if !missed.is_empty() {
-            println!("{name}: no test reaches line {}", missed.join(", "));
+            say!("{name}: no test reaches line {}", missed.join(", "))?;
         }
     }
+    Ok(())
 }
 
-fn print_row(name: &str, modules: &[&Module]) {
+fn print_row(name: &str, modules: &[&Module]) -> io::Result<()> {
     let percent = |all: usize, reached: usize| match all {
         0 => "-".to_owned(),
         _ => format!("{:.1} %", reached as f64 * 100.0 / all as f64),
@@ -284,11 +289,11 @@ fn print_row(name: &str, modules: &[&Module]) {
     let regions: usize = modules.iter().map(|module| module.regions.len()).sum();
     let run = |module: &&Module| module.regions.values().filter(|count| **count > 0).count();
     let run: usize = modules.iter().map(run).sum();
-    println!(
+    say!(
         "{name:<38} {lines:>6} {:>7} {regions:>8} {:>7}",
         percent(lines, lines - missed),
         percent(regions, run)
-    );
+    )
 }
 
 /// Fails on a line that must be reached and is not.

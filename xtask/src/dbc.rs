@@ -2,6 +2,7 @@
 //!
 //! What is looked for is in `vehicle_compiler::lint` and where the generator reads the file; this prints it.
 
+use crate::out::say;
 use crate::workspace;
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -27,9 +28,9 @@ pub fn run(options: &Options) -> Result<()> {
         let name = file.display().to_string();
         let found = findings_of(&name, &workspace::root().join(file), file);
         if found.is_empty() {
-            println!("{name:width$}  ok");
+            say!("{name:width$}  ok")?;
         }
-        found.iter().for_each(|finding| println!("{finding}"));
+        found.iter().try_for_each(|finding| say!("{finding}"))?;
         findings += found.len();
         bad_files += usize::from(!found.is_empty());
     }

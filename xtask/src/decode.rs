@@ -5,6 +5,7 @@
 //! cargo xtask decode -` is live. What cannot be decoded is counted and summed up on stderr, never dropped silently.
 //! Of a recording without times the time is missing: `-`, `null` or an empty cell.
 
+use crate::out::{self, note};
 use crate::recording::Choices;
 use crate::vehicles::{self, Tables, can_frame, can_id, seconds, short_seconds, value_of, with_unit};
 use anyhow::{Context, Result, bail};
@@ -31,8 +32,9 @@ pub struct Options {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Prints only these signals: names or MESSAGE.signal, `*` and `?` stand for anything; may be repeated.
-    #[arg(long, value_name = "GLOB", num_args = 1..)]
+    /// Prints only these signals: names or MESSAGE.signal with commas between them, `*` and `?` stand for anything; may
+    /// be repeated.
+    #[arg(long, value_name = "GLOB,...", value_delimiter = ',')]
     signals: Vec<String>,
     /// Prints the recorder's own time instead of seconds since the first frame.
     #[arg(long)]
@@ -55,23 +57,14 @@ enum Format {
 /// # Errors
 /// If the recording cannot be read, no vehicle fits it, or a pattern matches no signal.
 pub fn run(options: &Options) -> Result<()> {
-    quiet_if_closed(if options.file == Path::new("-") { live(options) } else { whole(options) })
-}
-
-/// Turns "nobody reads on" into an end without an error: `decode ... | head` is no mistake.
-pub fn quiet_if_closed(result: Result<()>) -> Result<()> {
-    let closed = |error: &anyhow::Error| {
-        let error = error.downcast_ref::<io::Error>();
-        error.is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
-    };
-    result.or_else(|error| if closed(&error) { Ok(()) } else { Err(error) })
+    if options.file == Path::new("-") { live(options) } else { whole(options) }
 }
 
 fn whole(options: &Options) -> Result<()> {
     let log = options.choices.read_untimed(&options.file)?;
     let tables = Tables::of_log(&log, options.vehicle.as_deref())?;
     let mut tally = Tally { bus_errors: log.error_frames, untimed: !log.timed, ..Tally::default() };
-    let mut out = BufWriter::new(io::stdout().lock());
+    let mut out = BufWriter::new(out::stdout());
     let printer = Printer::new(tables, options)?;
     printer.head(&mut out)?;
     for entry in &log.entries {
@@ -88,7 +81,7 @@ fn live(options: &Options) -> Result<()> {
         bail!("no recording: name a file, or pipe one in: `candump -ta can0 | cargo xtask decode -`");
     }
     let mut tally = Tally::default();
-    let mut out = BufWriter::new(io::stdout().lock());
+    let mut out = BufWriter::new(out::stdout());
     let wanted = options.vehicle.as_deref().map(Tables::named).transpose()?;
     let mut printer = wanted.map(|tables| Printer::new(tables, options)).transpose()?;
     if let Some(printer) = &printer {
@@ -106,7 +99,7 @@ fn live(options: &Options) -> Result<()> {
             && let Some(tables) = Tables::sending(can_id(frame.id))
         {
             let found = Printer::new(tables, options)?;
-            eprintln!("vehicle  {} (first heard: {})", tables.vehicle.name, can_id(frame.id));
+            note!("vehicle  {} (first heard: {})", tables.vehicle.name, can_id(frame.id));
             found.head(&mut out)?;
             printer = Some(found);
         }
@@ -120,7 +113,7 @@ fn live(options: &Options) -> Result<()> {
     }
     recording.finish()?;
     for note in recording.notes() {
-        eprintln!("stdin: {note}");
+        note!("stdin: {note}");
     }
     (tally.bus_errors, tally.untimed) = (recording.error_frames(), !recording.is_timed());
     let Some(printer) = printer else { bail!(vehicles::no_vehicle(tally.unknown.keys().copied())) };
@@ -160,7 +153,7 @@ impl Tally {
     fn report(&self, tables: Tables) {
         let (unknown, short) = (self.unknown.values().sum::<usize>(), self.short.values().sum::<usize>());
         let frames = self.decoded + unknown + short + self.remote;
-        eprintln!(
+        note!(
             "vehicle  {}: {} of its {} messages heard",
             tables.vehicle.name,
             self.heard.len(),
@@ -168,25 +161,25 @@ impl Tally {
         );
         let span = short_seconds(self.last.0 / 1_000_000);
         let span = if self.untimed { "without times".into() } else { format!("in {span} s") };
-        eprintln!("frames   {frames} {span}, {} decoded", self.decoded);
+        note!("frames   {frames} {span}, {} decoded", self.decoded);
         if unknown > 0 {
-            eprintln!("unknown  {unknown}: {}", listed(&self.unknown, ToString::to_string));
+            note!("unknown  {unknown}: {}", listed(&self.unknown, ToString::to_string));
         }
         for other in Tables::all().filter(|other| other.vehicle.name != tables.vehicle.name) {
             let theirs = self.unknown.keys().filter(|id| other.message(**id).is_some()).count();
             if theirs > 0 {
-                eprintln!("         {theirs} of these identifiers are those of `{}`", other.vehicle.name);
+                note!("         {theirs} of these identifiers are those of `{}`", other.vehicle.name);
             }
         }
         if short > 0 {
             let name = |id: &CanId| tables.message(*id).map_or("", |message| message.name);
-            eprintln!("short    {short}: {}", listed(&self.short, |id| format!("{} ({id})", name(id))));
+            note!("short    {short}: {}", listed(&self.short, |id| format!("{} ({id})", name(id))));
         }
         if self.remote > 0 {
-            eprintln!("remote   {} requests, which carry no signals", self.remote);
+            note!("remote   {} requests, which carry no signals", self.remote);
         }
         if self.bus_errors > 0 {
-            eprintln!("errors   {} error frames recorded", self.bus_errors);
+            note!("errors   {} error frames recorded", self.bus_errors);
         }
     }
 }

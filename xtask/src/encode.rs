@@ -3,6 +3,7 @@
 //! Values are exact decimals, words of the value table or raw values. Refuses to round: a value between two raw values
 //! or out of range is an error that says which values are nearest. What is not given has its start value.
 
+use crate::out::say;
 use crate::vehicles::{Tables, value_of, with_unit};
 use anyhow::{Result, bail};
 use clap::Args;
@@ -30,7 +31,7 @@ pub fn run(options: &Options) -> Result<()> {
     let message = find(&options.message, options.vehicle.as_deref(), &options.values)?;
     let data = frame(message, &options.values)?;
     let bytes: String = data.iter().take(message.len.into()).map(|byte| format!("{byte:02X}")).collect();
-    println!("{}#{bytes}", message.id);
+    say!("{}#{bytes}", message.id)?;
     Ok(())
 }
 

@@ -3,6 +3,7 @@
 //! Counts and virtual times only, so that two machines print the same. What depends on the machine (how fast the
 //! engine is) is printed beside the table, not in it.
 
+use crate::out::say;
 use crate::{firmware, workspace};
 use anyhow::{Context, Result, bail};
 use bench::can::{Id, LoadGenerator};
@@ -47,9 +48,9 @@ pub fn run(options: &Options) -> Result<()> {
     let version = workspace::capture(Command::new("rustc").arg("--version"))?;
     let compiler = version.split(" (").next().unwrap_or_default();
     let table = table(&rows, compiler);
-    print!("{table}");
+    say!("{}", table.trim_end())?;
     let ratio = virtual_time.as_secs_f64() / started.elapsed().as_secs_f64();
-    println!("(engine: {ratio:.2} times as fast as real time on this machine)");
+    say!("(engine: {ratio:.2} times as fast as real time on this machine)")?;
     quote(&table, compiler, options.check)
 }
 
@@ -145,13 +146,13 @@ fn quote(table: &str, compiler: &str, check: bool) -> Result<()> {
         return Ok(());
     }
     if check && !quoted.starts_with(&heading(compiler)) {
-        println!("README.md quotes the image of another compiler than {compiler}: not compared");
+        say!("README.md quotes the image of another compiler than {compiler}: not compared")?;
         return Ok(());
     }
     if check {
         bail!("README.md quotes other figures; `cargo xtask figures` writes these into it");
     }
     std::fs::write(path, format!("{head}{BEGIN}{table}{END}{tail}"))?;
-    println!("README.md is updated");
+    say!("README.md is updated")?;
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! Builds the firmware and reports what it costs.
 
+use crate::out::{note, say};
 use crate::toolchain::{TARGET, Toolchain};
 use crate::vehicles::Tables;
 use crate::{uf2, workspace};
@@ -29,6 +30,27 @@ pub struct Options {
     /// Builds for this vehicle only; without it the firmware finds out by listening.
     #[arg(long, value_name = "NAME")]
     pub vehicle: Option<String>,
+    /// Builds a cluster that only listens: it sends no frame and acknowledges none.
+    #[arg(long)]
+    pub listen_only: bool,
+}
+
+impl Options {
+    /// Returns the name of the image, another one for other options: two commands in a row must not take each other's.
+    fn name(&self) -> String {
+        let mut name = format!("cluster-{}", self.panel.feature());
+        if self.crystal == Crystal::Mhz16 {
+            name.push_str("-16mhz");
+        }
+        if let Some(vehicle) = &self.vehicle {
+            name.push('-');
+            name.push_str(vehicle);
+        }
+        if self.listen_only {
+            name.push_str("-listen-only");
+        }
+        name
+    }
 }
 
 /// A crystal that MCP2515 modules carry.
@@ -78,21 +100,25 @@ pub struct Image {
 pub fn build(options: &Options) -> Result<Image> {
     let toolchain = Toolchain::find_or_install()?;
     let mut command = toolchain.cargo();
-    command.args(["build", "--quiet", "--package", "firmware", "--profile", "firmware", "--target", TARGET]);
+    command.args(["build", "--package", "firmware", "--profile", "firmware", "--target", TARGET]);
     command.args(["--no-default-features", "--features", options.panel.feature()]);
     if options.crystal == Crystal::Mhz16 {
         command.args(["--features", "crystal-16mhz"]);
+    }
+    if options.listen_only {
+        command.args(["--features", "listen-only"]);
     }
     command.env_remove("CLUSTER_VEHICLE");
     if let Some(name) = &options.vehicle {
         command.env("CLUSTER_VEHICLE", Tables::named(name)?.vehicle.name);
     }
     command.args(["--config", &short_paths()]).args(toolchain.arguments());
-    workspace::run(&mut command)?;
     let built = workspace::target().join(TARGET).join("firmware/cluster");
-    // One file per panel and vehicle: two commands in a row must not flash each other's image.
-    let vehicle = options.vehicle.as_ref().map(|name| format!("-{name}")).unwrap_or_default();
-    let elf = crate::output_folder()?.join(format!("cluster-{}{vehicle}.elf", options.panel.feature()));
+    let name = options.name();
+    let patience = if built.exists() { "" } else { "; the first time this takes some minutes" };
+    note!("building the firmware: {name}{patience}");
+    workspace::run(&mut command)?;
+    let elf = crate::output_folder()?.join(format!("{name}.elf"));
     std::fs::copy(&built, &elf).with_context(|| format!("the build left no {}", built.display()))?;
     let uf2 = elf.with_extension("uf2");
     let image = bench::rp2040::image::load_elf(&elf)?;
@@ -115,8 +141,8 @@ fn short_paths() -> String {
 /// If the build fails or a budget is exceeded.
 pub fn build_and_report(options: &Options) -> Result<Image> {
     let image = build(options)?;
-    println!("{}", image.elf.display());
-    println!("{}", image.uf2.display());
+    say!("{}", image.elf.display())?;
+    say!("{}", image.uf2.display())?;
     report(&image.elf, false)?;
     Ok(image)
 }
@@ -188,14 +214,14 @@ fn report(elf: &Path, list: bool) -> Result<()> {
     let budget = budget()?;
     if list {
         for Section { name, address, size, .. } in sections(elf)? {
-            println!("{name:16} {size:>7} B at {address:#010x}");
+            say!("{name:16} {size:>7} B at {address:#010x}")?;
         }
     }
     let (flash, ram) = footprint(elf)?;
     let stack = STACK_TOP.saturating_sub(RAM_START + ram);
-    println!("flash    {flash:>7} B of {} B", budget.flash);
-    println!("RAM      {ram:>7} B of {} B", budget.ram);
-    println!("stack    {stack:>7} B are left, {} B are asked for", budget.stack);
+    say!("flash    {flash:>7} B of {} B", budget.flash)?;
+    say!("RAM      {ram:>7} B of {} B", budget.ram)?;
+    say!("stack    {stack:>7} B are left, {} B are asked for", budget.stack)?;
     if flash > budget.flash || ram > budget.ram || stack < budget.stack {
         bail!(
             "over budget: save some, or raise [package.metadata.budget] in boards/pico/Cargo.toml and say why"

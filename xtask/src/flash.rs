@@ -3,6 +3,7 @@
 //! A debug probe if probe-rs sees one, else a board in BOOTSEL mode by picotool, else its RPI-RP2 drive. With none of
 //! them it says how to press BOOTSEL.
 
+use crate::out::say;
 use crate::{firmware, workspace};
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -36,6 +37,10 @@ enum Way {
     Drive(PathBuf),
 }
 
+/// What the board's drive says of itself.
+const INFO_FILE: &str = "INFO_UF2.TXT";
+/// The name of the image on the drive; the boot loader takes any.
+const UF2_FILE: &str = "cluster.uf2";
 const NO_BOARD: &str = "no board found. Hold BOOTSEL while you plug the Pico's USB cable in, then let go: a drive named \
                         RPI-RP2 appears; run the command again. With a debug probe: `cargo install probe-rs-tools`. \
                         If the drive is mounted in an unusual place: `--drive FOLDER`.";
@@ -45,6 +50,9 @@ const NO_BOARD: &str = "no board found. Hold BOOTSEL while you plug the Pico's U
 /// # Errors
 /// If the build fails, no board is found, or writing fails.
 pub fn run(options: &Options) -> Result<()> {
+    if let Some(elf) = &options.elf {
+        bench::rp2040::image::load_elf(elf)?;
+    }
     let way = match &options.drive {
         Some(drive) => is_bootsel_drive(drive).then(|| Way::Drive(drive.clone())).with_context(|| {
             format!(
@@ -53,17 +61,15 @@ pub fn run(options: &Options) -> Result<()> {
             )
         }),
         None => find(),
-    };
+    }?;
     if options.dry_run {
         match way {
-            Ok(Way::Probe) => println!("would flash by the debug probe: probe-rs run --chip RP2040"),
-            Ok(Way::Picotool) => println!("would flash by picotool: picotool load -v -x"),
-            Ok(Way::Drive(drive)) => println!("would copy the UF2 to {}", drive.display()),
-            Err(error) => println!("{error:#}"),
+            Way::Probe => say!("would flash by the debug probe: probe-rs download --chip RP2040")?,
+            Way::Picotool => say!("would flash by picotool: picotool load -v -x")?,
+            Way::Drive(drive) => say!("would copy the UF2 to {}", drive.display())?,
         }
         return Ok(());
     }
-    let way = way?;
     let image = match &options.elf {
         Some(elf) => with_uf2(elf)?,
         None => firmware::build_and_report(&options.build)?,
@@ -80,12 +86,24 @@ pub fn run(options: &Options) -> Result<()> {
     }
 }
 
-/// Says which way would be taken, for `ci`.
+/// Flashes a folder that looks like a board's drive and looks at what has arrived, for `ci`.
 ///
 /// # Errors
-/// Like [`run`].
-pub fn dry_run() -> Result<()> {
-    run(&Options { build: firmware::Options::default(), elf: None, dry_run: true, drive: None })
+/// Like [`run`], or if something else than the image has arrived.
+pub fn check() -> Result<()> {
+    let image = firmware::build(&firmware::Options::default())?;
+    let drive = crate::output_folder()?.join("bootsel-drive");
+    std::fs::create_dir_all(&drive)?;
+    std::fs::write(
+        drive.join(INFO_FILE),
+        "UF2 Bootloader v3.0\nModel: Raspberry Pi RP2\nBoard-ID: RPI-RP2\n",
+    )?;
+    let (build, elf) = (firmware::Options::default(), Some(image.elf));
+    run(&Options { build, elf, dry_run: false, drive: Some(drive.clone()) })?;
+    if std::fs::read(drive.join(UF2_FILE))? != std::fs::read(&image.uf2)? {
+        bail!("{} is not the image in {}", drive.join(UF2_FILE).display(), image.uf2.display());
+    }
+    Ok(())
 }
 
 fn with_uf2(elf: &Path) -> Result<firmware::Image> {
@@ -103,7 +121,12 @@ fn find() -> Result<Way> {
     if workspace::capture(Command::new("picotool").arg("info")).is_ok() {
         return Ok(Way::Picotool);
     }
-    drives().into_iter().find(|drive| is_bootsel_drive(drive)).map(Way::Drive).context(NO_BOARD)
+    find_drive(drives())
+}
+
+/// Returns the first of the folders that is a board's drive.
+fn find_drive(folders: Vec<PathBuf>) -> Result<Way> {
+    folders.into_iter().find(|folder| is_bootsel_drive(folder)).map(Way::Drive).context(NO_BOARD)
 }
 
 /// Returns every folder where an operating system may have mounted the drive.
@@ -117,15 +140,15 @@ fn drives() -> Vec<PathBuf> {
 }
 
 fn is_bootsel_drive(folder: &Path) -> bool {
-    std::fs::read_to_string(folder.join("INFO_UF2.TXT")).is_ok_and(|info| info.contains("RPI-RP2"))
+    std::fs::read_to_string(folder.join(INFO_FILE)).is_ok_and(|info| info.contains("RPI-RP2"))
 }
 
 fn copy(uf2: &Path, drive: &Path) -> Result<()> {
     let bytes = std::fs::read(uf2)?;
     let bar = ProgressBar::new(bytes.len() as u64);
     bar.set_style(ProgressStyle::with_template("{bar:40} {bytes}/{total_bytes}")?);
-    let mut to = File::create(drive.join("cluster.uf2"))
-        .with_context(|| format!("cannot write to {}", drive.display()))?;
+    let mut to =
+        File::create(drive.join(UF2_FILE)).with_context(|| format!("cannot write to {}", drive.display()))?;
     let mut from = &*bytes;
     let mut chunk = [0; 16 * 1024];
     loop {
@@ -139,14 +162,14 @@ fn copy(uf2: &Path, drive: &Path) -> Result<()> {
     // The boot loader resets into the new firmware with the last block: the drive vanishes under our feet.
     let _ = to.sync_all();
     bar.finish();
-    let written = std::fs::metadata(drive.join("cluster.uf2")).map_or(bytes.len() as u64, |file| file.len());
+    let written = std::fs::metadata(drive.join(UF2_FILE)).map_or(bytes.len() as u64, |file| file.len());
     if written != bytes.len() as u64 {
         bail!(
             "only {written} of {} bytes were written; unplug the board, hold BOOTSEL and try again",
             bytes.len()
         );
     }
-    println!("flashed; the board restarts by itself");
+    say!("flashed; the board restarts by itself")?;
     Ok(())
 }
 
@@ -173,11 +196,16 @@ mod tests {
         std::fs::write(&uf2, &bytes).unwrap();
         let drive = tempfile::tempdir().unwrap();
         copy(&uf2, drive.path()).unwrap();
-        assert_eq!(std::fs::read(drive.path().join("cluster.uf2")).unwrap(), bytes);
+        assert_eq!(std::fs::read(drive.path().join(UF2_FILE)).unwrap(), bytes);
     }
 
     #[test]
-    fn without_a_board_the_message_says_how_to_press_bootsel() {
-        assert!(NO_BOARD.contains("Hold BOOTSEL while you plug"));
+    fn without_a_board_the_error_says_how_to_press_bootsel() {
+        let empty = tempfile::tempdir().unwrap();
+        let error = find_drive(vec![empty.path().to_owned()]).unwrap_err();
+        assert!(error.to_string().contains("Hold BOOTSEL while you plug"), "{error}");
+        std::fs::write(empty.path().join(INFO_FILE), "Board-ID: RPI-RP2\n").unwrap();
+        let found = find_drive(vec![PathBuf::from("/no/such"), empty.path().to_owned()]).unwrap();
+        assert_eq!(found, Way::Drive(empty.path().to_owned()));
     }
 }

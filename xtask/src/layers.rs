@@ -3,6 +3,7 @@
 //! Firmware on boards on drivers on embedded-hal; firmware on ui on cluster on protocol-core on core. The bench and
 //! the tools load the ELF, they never link firmware code. Dev-dependencies are free: tests look from outside.
 
+use crate::out::say;
 use crate::rooms::Rooms;
 use anyhow::{Result, bail};
 use cargo_metadata::{DependencyKind, MetadataCommand, Package};
@@ -28,6 +29,7 @@ const HARDWARE: &[&str] = &[
 ];
 
 const LAYERS: &[Layer] = &[
+    Layer { name: "surroundings", may_use: &[], never: HARDWARE },
     Layer { name: "protocol-core", may_use: &[], never: HARDWARE },
     Layer { name: "cluster", may_use: &["protocol-core"], never: HARDWARE },
     Layer { name: "ui", may_use: &["cluster", "protocol-core"], never: HARDWARE },
@@ -40,9 +42,13 @@ const LAYERS: &[Layer] = &[
         never: &["rp2040-hal", "mcp2515", "mipidsi"],
     },
     Layer { name: "vehicle-compiler", may_use: &["protocol-core"], never: HARDWARE },
-    Layer { name: "fontgen", may_use: &[], never: HARDWARE },
+    Layer { name: "fontgen", may_use: &["surroundings"], never: HARDWARE },
     Layer { name: "virtual-vehicle", may_use: &["protocol-core"], never: HARDWARE },
-    Layer { name: "bench", may_use: &["cluster", "protocol-core", "virtual-vehicle"], never: HARDWARE },
+    Layer {
+        name: "bench",
+        may_use: &["cluster", "protocol-core", "surroundings", "virtual-vehicle"],
+        never: HARDWARE,
+    },
     Layer {
         name: "xtask",
         may_use: &[
@@ -50,6 +56,7 @@ const LAYERS: &[Layer] = &[
             "cluster",
             "fontgen",
             "protocol-core",
+            "surroundings",
             "ui",
             "vehicle-compiler",
             "virtual-vehicle",
@@ -76,12 +83,12 @@ pub fn run() -> Result<()> {
         let ours: Vec<_> =
             arrows(package).filter(|name| packages.iter().any(|p| p.name.as_str() == *name)).collect();
         let rooms = Rooms::read(package.manifest_path.with_file_name("src").as_std_path())?;
-        println!(
+        say!(
             "{:18} -> {} ({} arrows inside)",
             package.name.as_str(),
             if ours.is_empty() { "-".into() } else { ours.join(", ") },
             rooms.arrow_count()
-        );
+        )?;
         let found = rooms.circles();
         let open =
             OPEN.iter().find(|(name, _)| *name == package.name.as_str()).map_or(0, |(_, count)| *count);
@@ -93,7 +100,7 @@ pub fn run() -> Result<()> {
         }
         circles += found.len();
     }
-    println!("{circles} circles inside crates");
+    say!("{circles} circles inside crates")?;
     if wrong.is_empty() {
         return Ok(());
     }
@@ -125,6 +132,7 @@ fn check(packages: &[&Package]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::{Path, PathBuf};
 
     #[test]
     fn the_table_has_no_cycle() {
@@ -151,5 +159,36 @@ mod tests {
         arrow.name = "ui".into();
         upward.dependencies.push(arrow);
         assert_eq!(check(&[&upward, &ui]), ["`cluster` must not depend on `ui`"]);
+    }
+
+    /// Adds every Rust file below `folder`, but for what is built.
+    fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+        for path in std::fs::read_dir(folder).unwrap().flatten().map(|entry| entry.path()) {
+            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+            if path.is_dir() && name != "target" && !name.starts_with('.') {
+                sources(&path, found);
+            } else if name.ends_with(".rs") {
+                found.push(path);
+            }
+        }
+    }
+
+    #[test]
+    fn only_surroundings_knows_where_it_was_compiled() {
+        let root = crate::workspace::root();
+        let mut files = Vec::new();
+        sources(&root, &mut files);
+        // Put together, or this file would hold them.
+        let compiled = ["MANIFEST_DIR", "TARGET_TMPDIR"].map(|name| format!("env!(\"CARGO_{name}\")"));
+        files.retain(|path| {
+            let text = std::fs::read_to_string(path).unwrap();
+            compiled.iter().any(|words| text.contains(words))
+        });
+        let found: Vec<_> = files.iter().map(|path| path.strip_prefix(&root).unwrap()).collect();
+        assert_eq!(
+            found,
+            [Path::new("tools/surroundings/src/checkout.rs")],
+            "a copied checkout would work on the old one: `surroundings::root()`"
+        );
     }
 }

@@ -1,11 +1,11 @@
 //! Prints the records that a cluster sends on its UART.
 //!
-//! Reads bytes from a serial device, a file or standard input, so that any tool that sets a port up can feed it.
-//! Noise is counted and skipped: the decoder finds the next record by itself. Faults are told again and again for whoever
+//! Reads bytes from a serial port, which it sets up, from a file or from standard input. Noise is counted and skipped: the decoder finds the next record by itself. Faults are told again and again for whoever
 //! comes late; printed is each of them once, and again when something about it has changed.
 
+use crate::out::{self, note};
 use crate::replay::word;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use cluster::Source;
 use protocol_core::Value;
@@ -13,56 +13,134 @@ use protocol_core::link::{Decoder, Fault, Health, Record, Sample, Screen, Trip, 
 use protocol_core::model::Severity;
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{ErrorKind, Read, Write};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Where the bytes come from.
 #[derive(Args, Debug)]
 pub struct Options {
-    /// Serial device or file; `-` is standard input. On Linux set the port up first:
-    /// `stty -F /dev/ttyUSB0 115200 raw -echo`.
+    /// Serial port, or a file with what came from one; `-` is standard input.
     source: PathBuf,
+    /// Speed of the serial port in baud.
+    #[arg(long, value_name = "BAUD", default_value_t = 115_200)]
+    baud: u32,
+}
+
+/// What was read of a source.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Heard {
+    bytes: u64,
+    records: u64,
+    /// The first one is what was cut off when listening began.
+    damaged: u64,
 }
 
 /// Prints every record until the source ends.
 ///
 /// # Errors
-/// If the source cannot be opened or read.
+/// If the source cannot be opened or read, or holds no record of a cluster.
 pub fn run(options: &Options) -> Result<()> {
-    let mut source: Box<dyn Read> = if options.source == Path::new("-") {
-        Box::new(std::io::stdin().lock())
-    } else {
-        let name = options.source.display();
-        Box::new(File::open(&options.source).with_context(|| format!("cannot open {name}"))?)
-    };
-    match print(&mut source, &mut std::io::stdout().lock()) {
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        result => result.context("the source ended with an error"),
+    let heard = print(&mut *open(options)?, &mut out::stdout())?;
+    if heard.damaged > 0 {
+        note!("{} damaged records skipped", heard.damaged);
+    }
+    if heard.records == 0 {
+        bail!(
+            "{}: {} bytes and no record of a cluster in them; name the serial port on its UART (GP0), or a file with \
+             what came from there",
+            options.source.display(),
+            heard.bytes
+        );
+    }
+    Ok(())
+}
+
+fn open(options: &Options) -> Result<Box<dyn Read>> {
+    let source = &options.source;
+    if source == Path::new("-") {
+        return Ok(Box::new(std::io::stdin().lock()));
+    }
+    #[cfg(unix)]
+    if port::is_device(source) {
+        return Ok(Box::new(port::Port::open(source, options.baud)?));
+    }
+    Ok(Box::new(File::open(source).with_context(|| format!("cannot open {}", source.display()))?))
+}
+
+/// Serial ports of Linux and macOS; elsewhere the system's own tool sets a port up (`mode COM3 115200,n,8,1`).
+#[cfg(unix)]
+mod port {
+    use crate::out::note;
+    use bench::join::pty::SerialPort;
+    use bench::join::wire::Wire;
+    use std::io::{self, Read};
+    use std::os::unix::fs::FileTypeExt;
+    use std::path::Path;
+    use std::time::{Duration, Instant};
+
+    /// Time between two looks at a port that has nothing.
+    const TURN: Duration = Duration::from_millis(5);
+    /// Silence that is worth a hint; a cluster speaks several times a second.
+    const SILENCE: Duration = Duration::from_secs(3);
+
+    pub(super) fn is_device(path: &Path) -> bool {
+        std::fs::metadata(path).is_ok_and(|metadata| metadata.file_type().is_char_device())
+    }
+
+    /// A serial port whose reader waits.
+    pub(super) struct Port {
+        port: SerialPort,
+        opened: Instant,
+        /// Nothing has come yet and nothing was said about it.
+        is_to_hint: bool,
+    }
+
+    impl Port {
+        pub(super) fn open(path: &Path, baud: u32) -> io::Result<Self> {
+            Ok(Self { port: SerialPort::open(path, baud)?, opened: Instant::now(), is_to_hint: true })
+        }
+    }
+
+    impl Read for Port {
+        /// Ends with bytes, or with the error of a port that is gone.
+        fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+            loop {
+                let count = self.port.read(into)?;
+                if count > 0 {
+                    self.is_to_hint = false;
+                    return Ok(count);
+                }
+                if self.is_to_hint && self.opened.elapsed() >= SILENCE {
+                    self.is_to_hint = false;
+                    note!("nothing heard yet: is GP0 of the cluster on RX of the adapter, ground on ground?");
+                }
+                std::thread::sleep(TURN);
+            }
+        }
     }
 }
 
-fn print(source: &mut dyn Read, out: &mut dyn Write) -> std::io::Result<()> {
-    let (mut decoder, mut damaged, mut bytes) = (Decoder::new(), 0_u64, [0; 256]);
+fn print(source: &mut dyn Read, out: &mut dyn Write) -> Result<Heard> {
+    let (mut decoder, mut heard, mut bytes) = (Decoder::new(), Heard::default(), [0; 256]);
     let mut told = Told::default();
     loop {
-        let length = source.read(&mut bytes)?;
+        let length = source.read(&mut bytes).context("the source ended with an error")?;
         if length == 0 {
-            break;
+            return Ok(heard);
         }
+        heard.bytes += length as u64;
         for &byte in &bytes[..length] {
             match decoder.push(byte) {
-                Some(Ok(record)) => write_record(&record, &mut told, out)?,
-                // The first one is what was cut off when listening began.
-                Some(Err(_)) => damaged += 1,
+                Some(Ok(record)) => {
+                    heard.records += 1;
+                    write_record(&record, &mut told, out)?;
+                }
+                Some(Err(_)) => heard.damaged += 1,
                 None => {}
             }
         }
         out.flush()?;
     }
-    if damaged > 0 {
-        eprintln!("{damaged} damaged records skipped");
-    }
-    Ok(())
 }
 
 /// What was printed of faults.

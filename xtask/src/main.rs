@@ -4,6 +4,11 @@
 //! names its fix.
 
 #![allow(unreachable_pub, reason = "in a binary every `pub` is private to it")]
+#![deny(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "they panic in a closed pipe: `out::say!`, `out::note!`"
+)]
 
 mod ci;
 mod codecs;
@@ -18,6 +23,7 @@ mod firmware;
 mod flash;
 mod layers;
 mod listen;
+mod out;
 mod output;
 mod python;
 mod recording;
@@ -99,13 +105,23 @@ enum Command {
     Ci,
 }
 
+impl Command {
+    /// Returns whether the command works on the repository's files; without them it could only fail later.
+    fn needs_checkout(&self) -> bool {
+        let works_anywhere = matches!(
+            self,
+            Self::Vehicle(_) | Self::Replay(_) | Self::Decode(_) | Self::Encode(_) | Self::Listen(_)
+        );
+        !works_anywhere
+    }
+}
+
 fn main() -> ExitCode {
-    match dispatch(Cli::parse().command) {
+    let command = Cli::parse().command;
+    let checkout = if command.needs_checkout() { workspace::check() } else { Ok(()) };
+    match checkout.and_then(|()| dispatch(command)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::FAILURE
-        }
+        Err(error) => out::exit_code(&error),
     }
 }
 

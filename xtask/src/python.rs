@@ -1,9 +1,11 @@
 //! The outside witnesses: cantools and python-can, in a virtual environment of the repository's own.
 
+use crate::out::note;
 use crate::workspace;
 use anyhow::{Context, Result};
 use std::path::PathBuf;
 use std::process::Command;
+use surroundings::need;
 
 /// Python packages that the tests ask for a second opinion.
 const REQUIREMENTS: &str = "tools/witness/requirements.txt";
@@ -15,10 +17,10 @@ const REQUIREMENTS: &str = "tools/witness/requirements.txt";
 pub fn witness() -> Result<PathBuf> {
     let folder = workspace::target().join("venv");
     let python = folder.join("bin/python");
-    if imports_witnesses(&python) {
+    if need::has_witnesses(&python) {
         return Ok(python);
     }
-    println!("installing the witnesses (cantools, python-can) into {}", folder.display());
+    note!("installing the witnesses (cantools, python-can) into {}", folder.display());
     let mut create = Command::new("python3");
     workspace::run(create.args(["-m", "venv", "--clear"]).arg(&folder)).context(
         "the witnesses need Python 3 with venv: `apt-get install python3 python3-venv` (or your system's equivalent)",
@@ -32,9 +34,5 @@ pub fn witness() -> Result<PathBuf> {
 
 /// Returns whether the witnesses are installed already.
 pub fn is_ready() -> bool {
-    imports_witnesses(&workspace::target().join("venv/bin/python"))
-}
-
-fn imports_witnesses(python: &std::path::Path) -> bool {
-    workspace::capture(Command::new(python).args(["-c", "import cantools, can, serial"])).is_ok()
+    need::has_witnesses(&workspace::target().join("venv/bin/python"))
 }

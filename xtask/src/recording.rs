@@ -1,5 +1,6 @@
 //! How a recording is read, for every command that takes one.
 
+use crate::out::note;
 use anyhow::Result;
 use bench::log::{Channel, Live, Log, Reading, Times};
 use bench::time::Nanos;
@@ -67,7 +68,7 @@ impl Choices {
 
 fn said(path: &Path, log: Log) -> Result<Log> {
     for note in &log.notes {
-        eprintln!("{}: {note}", path.display());
+        note!("{}: {note}", path.display());
     }
     Ok(log)
 }

@@ -3,6 +3,7 @@
 //! Made from the same generated tables as the firmware, and from the comments of the DBC files; committed, and compared
 //! by `cargo xtask ci`. Which signal feeds which value is found by trying: a signal that changes a value feeds it.
 
+use crate::out::say;
 use crate::vehicles::{Tables, decimal, value_of, with_unit};
 use crate::workspace;
 use anyhow::{Context, Result, bail};
@@ -51,13 +52,13 @@ pub fn run(options: &Options) -> Result<()> {
         }
         std::fs::create_dir_all(file.parent().unwrap_or(Path::new(".")))?;
         std::fs::write(&file, text).with_context(|| format!("{path}: cannot be written"))?;
-        println!("{path}");
+        say!("{path}")?;
     }
     if !stale.is_empty() {
         bail!("{}", stale.join("\n       "));
     }
     if options.check {
-        println!("reference pages are up to date");
+        say!("reference pages are up to date")?;
     }
     Ok(())
 }

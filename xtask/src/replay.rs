@@ -5,7 +5,7 @@
 //! worst severity, the lamps, the message line and the sound, the page, the countdown to high voltage off, limp mode, the
 //! range, and every fault that is noted. Pixels are the bench's business: `cargo xtask run`.
 
-use crate::decode::quiet_if_closed;
+use crate::out;
 use crate::recording::Choices;
 use crate::vehicles::{Tables, can_frame, short_seconds};
 use anyhow::{Result, bail};
@@ -54,8 +54,7 @@ pub fn run(options: &Options) -> Result<()> {
             bail!("{file}:{line}: the time jumps by more than a day; cut the log there");
         }
     }
-    let mut out = BufWriter::new(io::stdout().lock());
-    quiet_if_closed(play(&log, tables, options.json, &mut out))
+    play(&log, tables, options.json, &mut BufWriter::new(out::stdout()))
 }
 
 fn play(log: &Log, tables: Tables, json: bool, out: &mut impl Write) -> Result<()> {

@@ -4,6 +4,7 @@
 //! A test names a rule in its name (`bus_r017_...`, `bus_r022_to_bus_r025_...`) or in a comment (`BUS-R017`); a scenario
 //! names it in its `rules`. Rules of other nodes are kept by the virtual vehicle and shown in its tests.
 
+use crate::out::say;
 use crate::workspace;
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -85,10 +86,10 @@ pub fn run(options: &Options) -> Result<()> {
         }
     } else if old != text {
         std::fs::write(&file, text).with_context(|| format!("{PAGE}: cannot be written"))?;
-        println!("{PAGE}");
+        say!("{PAGE}")?;
     }
     let tested = rules.iter().filter(|rule| tests.contains_key(&rule.number)).count();
-    println!("{} rules: {tested} with tests, {} on a page", rules.len(), rules.len() - tested);
+    say!("{} rules: {tested} with tests, {} on a page", rules.len(), rules.len() - tested)?;
     Ok(())
 }
 

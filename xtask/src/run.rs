@@ -1,5 +1,6 @@
 //! Drives the real firmware on the virtual bench.
 
+use crate::out::say;
 use crate::output::{self, Output};
 use crate::recording::Choices;
 use crate::vehicles::{Tables, short_seconds};
@@ -9,6 +10,7 @@ use bench::join::Members;
 use bench::join::adapter::Bridge;
 use bench::join::recorder::{Receipt, Recorder};
 use bench::log::Log;
+use bench::page::{Server, Start};
 use bench::rig::{Rig, RigOptions};
 use bench::rp2040::image;
 use bench::time::Nanos;
@@ -102,7 +104,8 @@ pub fn run(options: &Options) -> Result<()> {
             let is_shipped = |name| SHIPPED_VEHICLES.iter().any(|vehicle| vehicle.name == name);
             let vehicle = recorded.map(|tables| tables.vehicle.name).filter(|name| !is_shipped(*name));
             let vehicle = vehicle.map(str::to_owned);
-            firmware::build(&firmware::Options { panel, crystal, vehicle })?.elf
+            firmware::build(&firmware::Options { panel, crystal, vehicle, ..firmware::Options::default() })?
+                .elf
         }
     };
     // Said before anything is written.
@@ -136,12 +139,13 @@ pub fn run(options: &Options) -> Result<()> {
         Ok(rig)
     };
     for note in &notes {
-        println!("{note}");
+        say!("{note}")?;
     }
     if !options.headless {
-        let start =
-            bench::page::Start { port: options.port, vehicle: kind, recording, notes, elf: Some(page_elf) };
-        return bench::page::serve(start, make);
+        let start = Start { port: options.port, vehicle: kind, recording, notes, elf: Some(page_elf) };
+        let server = Server::start(start, make)?;
+        say!("the cluster drives at http://{}/  (Ctrl-C ends it)", server.address())?;
+        return server.wait();
     }
     let mut rig = make(kind)?;
     let driven = drive(&mut rig, options, recorded.as_ref());
@@ -154,8 +158,7 @@ pub fn run(options: &Options) -> Result<()> {
     if let Some(screenshot) = &outputs.screenshot {
         screenshot.write_whole(&rig.picture_png())?;
     }
-    report(&rig, wall_seconds);
-    Ok(())
+    report(&rig, wall_seconds)
 }
 
 /// The files that a run writes.
@@ -308,23 +311,26 @@ fn from_root(path: &Path) -> PathBuf {
     if path.exists() { path.to_owned() } else { workspace::root().join(path) }
 }
 
-fn report(rig: &Rig, wall_seconds: f64) {
+fn report(rig: &Rig, wall_seconds: f64) -> Result<()> {
     let counts = rig.counts();
     let seconds = rig.now().as_secs_f64();
-    println!(
+    say!(
         "drove    {seconds:.3} s of virtual time, {:.2} times as fast as real time",
         seconds / wall_seconds
-    );
-    println!(
+    )?;
+    say!(
         "frames   {} on the bus for the cluster, {} taken by its controller, {} lost",
-        counts.on_bus, counts.stored, counts.lost
-    );
+        counts.on_bus,
+        counts.stored,
+        counts.lost
+    )?;
     let health = rig.records().iter().rev().find(|(_, record)| matches!(record, Record::Health(_)));
     if let Some((told, _)) = health {
         let before = short_seconds(rig.now().since(*told).0 / 1_000_000);
-        println!("told     {} received, by its last report {before} s before the end", counts.received);
+        say!("told     {} received, by its last report {before} s before the end", counts.received)?;
     }
     for (name, value) in rig.shown_lines() {
-        println!("shown    {name:24} {value}");
+        say!("shown    {name:24} {value}")?;
     }
+    Ok(())
 }

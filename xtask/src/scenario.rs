@@ -3,6 +3,7 @@
 //! Scenarios are data: bench/scenarios/README.md. Each runs where it says, on as many threads as the machine has; what
 //! is printed stands in the order of the files, however they end.
 
+use crate::out::say;
 use crate::vehicles::short_seconds;
 use crate::{firmware, workspace};
 use anyhow::{Result, bail};
@@ -73,7 +74,7 @@ pub fn run(options: &Options) -> Result<()> {
     if options.list {
         for scenario in &scenarios {
             let places: Vec<&str> = scenario.on.iter().map(|place| place.word()).collect();
-            println!("{:36} {:14} {}", name(scenario), places.join(" "), scenario.title);
+            say!("{:36} {:14} {}", name(scenario), places.join(" "), scenario.title)?;
         }
         return Ok(());
     }
@@ -97,10 +98,10 @@ pub fn run(options: &Options) -> Result<()> {
 }
 
 fn print_trace(scenario: &Scenario) -> Result<()> {
-    println!("{}: {}", name(scenario), scenario.title);
+    say!("{}: {}", name(scenario), scenario.title)?;
     let mut subject = HostSubject::new(scenario.kind, scenario.options);
     scenario::trace(scenario, &mut subject, &mut |ms, name, now| {
-        println!("{:>8} {name:24} {now}", short_seconds(ms));
+        say!("{:>8} {name:24} {now}", short_seconds(ms))
     })
 }
 
@@ -211,22 +212,22 @@ fn report(scenarios: &[Scenario], jobs: &[Job<'_>], verdicts: &[Verdict], second
             let passed = verdict.checks.iter().filter(|check| check.passed).count();
             write!(checks, " {} {passed}/{}", job.place, verdict.checks.len())?;
         }
-        println!("{word:7} {:32}{checks:32} {}", name(scenario), scenario.title);
+        say!("{word:7} {:32}{checks:32} {}", name(scenario), scenario.title)?;
         for failure in failures {
-            println!("        {failure}");
+            say!("        {failure}")?;
         }
     }
     let virtual_s = |place| {
         let of_place = jobs.iter().filter(|job| job.place == place);
         of_place.map(|job| job.scenario.end_ms).sum::<u64>() / 1_000
     };
-    println!(
+    say!(
         "{} runs of {} scenarios: {} s of virtual time on the host, {} s on the firmware, in {seconds:.0} s",
         jobs.len(),
         scenarios.len(),
         virtual_s(Place::Host),
         virtual_s(Place::Firmware)
-    );
+    )?;
     if failed == 0 {
         return Ok(());
     }

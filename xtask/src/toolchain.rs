@@ -3,6 +3,7 @@
 //! Three ways, tried in this order: the target's standard library is there already; rustup adds it; the distribution's
 //! compiler builds `core` and `alloc` from its source package (`-Z build-std`). Says what it does.
 
+use crate::out::note;
 use crate::workspace;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
@@ -41,11 +42,11 @@ impl Toolchain {
             return Ok(found);
         }
         if workspace::has("rustup") {
-            println!("installing the chip's target: rustup target add {TARGET}");
+            note!("installing the chip's target: rustup target add {TARGET}");
             match workspace::run(Command::new("rustup").args(["target", "add", TARGET])) {
                 Ok(()) => return Ok(Self::Installed),
                 Err(error) => {
-                    println!("rustup could not: {error:#}; looking for the distribution's compiler");
+                    note!("rustup could not: {error:#}; looking for the distribution's compiler");
                 }
             }
         }

@@ -3,6 +3,7 @@
 //! Owns the pace: virtual time follows the wall clock, each frame goes out when it is due and never before. After a
 //! pause of the machine the vehicle goes on where it was; nothing is sent in a burst.
 
+use crate::out::say;
 use crate::vehicles::{self, Tables};
 use anyhow::{Context, Result, anyhow, bail};
 use bench::can::Frame;
@@ -67,7 +68,7 @@ pub fn run(options: &Options) -> Result<()> {
     let vehicle = make(kind, &options.set)?;
     if options.list {
         for control in vehicle.controls() {
-            println!("{:32} {:40} {}", control.path, control.range(), control.en);
+            say!("{:32} {:40} {}", control.path, control.range(), control.en)?;
         }
         return Ok(());
     }
@@ -77,7 +78,7 @@ pub fn run(options: &Options) -> Result<()> {
         (None, Some(port)) => serial(port, options.baud, bitrate)?,
         (None, None) => bail!("say where the bus is: --can can0 or --slcan /dev/ttyACM0"),
     };
-    println!("{} plays at {bitrate} bit/s; Ctrl-C ends it", kind.name());
+    say!("{} plays at {bitrate} bit/s; Ctrl-C ends it", kind.name())?;
     let mut desk = Desk::new(vehicle, tables, adapter);
     let end = options.seconds.map(Duration::from_secs_f64);
     let started = Instant::now();
@@ -85,7 +86,7 @@ pub fn run(options: &Options) -> Result<()> {
         let now_us = u64::try_from(started.elapsed().as_micros())?;
         desk.turn(now_us)?;
         for line in desk.status(now_us) {
-            println!("{line}");
+            say!("{line}")?;
         }
         std::thread::sleep(TURN);
     }

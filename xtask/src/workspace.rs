@@ -1,14 +1,21 @@
 //! Where the repository is and how its commands are started.
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Returns the root of the repository.
 pub fn root() -> PathBuf {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    here.parent().unwrap_or(here).to_path_buf()
+    surroundings::root()
+}
+
+/// Returns whether the repository is there.
+///
+/// # Errors
+/// If it is not; the error says what to do.
+pub fn check() -> Result<()> {
+    surroundings::check().map_err(|problem| anyhow!("{problem}"))
 }
 
 /// Returns a `cargo` command in the root of the repository: the cargo that started this xtask.
@@ -20,7 +27,7 @@ pub fn cargo() -> Command {
 
 /// Returns the folder that cargo builds into.
 pub fn target() -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+    surroundings::target()
 }
 
 /// Runs a command with its output on the terminal.
@@ -58,7 +65,7 @@ pub fn has(program: impl AsRef<OsStr>) -> bool {
 
 /// Returns whether this is CI: there a missing tool is an error, not a skip.
 pub fn is_ci() -> bool {
-    std::env::var_os("CI").is_some_and(|value| value != "false" && !value.is_empty())
+    surroundings::is_ci()
 }
 
 fn command_line(command: &Command) -> String {

@@ -1,11 +1,13 @@
 //! Bad input gets an error that names file and line, and the command fails.
 
+mod program;
+
+use program::xtask;
 use std::path::Path;
-use std::process::Command;
 
 /// Runs `cargo xtask` with `arguments`, which must fail, and returns what it said on stderr.
 fn complaint(arguments: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_xtask")).args(arguments).output().unwrap();
+    let output = xtask().args(arguments).output().unwrap();
     assert_eq!(output.status.code(), Some(1), "{arguments:?} must fail: {output:?}");
     String::from_utf8(output.stderr).unwrap()
 }

@@ -1,15 +1,16 @@
 //! `cargo xtask dbc`: the repository's files are clean, and each wrong line is named.
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod program;
+
+use program::xtask;
+use std::process::Output;
 
 fn dbc(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_xtask")).arg("dbc").args(arguments).output().unwrap()
+    xtask().arg("dbc").args(arguments).output().unwrap()
 }
 
 fn bus() -> String {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-    std::fs::read_to_string(root.join("vehicles/bus/bus.dbc")).unwrap()
+    std::fs::read_to_string(surroundings::root().join("vehicles/bus/bus.dbc")).unwrap()
 }
 
 /// Lints `text` and returns what is found, without the path of the file.

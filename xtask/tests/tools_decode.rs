@@ -1,22 +1,22 @@
 //! `cargo xtask decode`: agrees with cantools, streams, counts what it cannot decode.
 
+mod program;
+
+use program::xtask;
 use protocol_core::CanFrame;
 use protocol_core::codec::{MessageInfo, Mux, SignalInfo};
 use protocol_core::generated::MESSAGES;
 use serde_json::Value as Json;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use surroundings::need;
 
 const CITY: &str = "vehicles/bus/captures/city.log";
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
-}
-
 fn decode(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
-    command.current_dir(root()).arg("decode").args(arguments);
+    let mut command = xtask();
+    command.arg("decode").args(arguments);
     command
 }
 
@@ -46,32 +46,10 @@ fn written(folder: &tempfile::TempDir, text: &str) -> String {
     path.display().to_string()
 }
 
-/// Returns a Python that has cantools and python-can, `None` if there is none here; in CI that is an error.
-fn witness() -> Option<PathBuf> {
-    let venv = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-    let candidates = [
-        std::env::var_os("WITNESS_PYTHON").map(PathBuf::from),
-        Some(venv.join("venv/bin/python")),
-        Some(root().join("target/venv/bin/python")),
-        Some("python3".into()),
-    ];
-    let has_cantools = |python: &PathBuf| {
-        let probe = Command::new(python).args(["-c", "import cantools, can"]).output();
-        probe.is_ok_and(|output| output.status.success())
-    };
-    let found = candidates.into_iter().flatten().find(has_cantools);
-    if found.is_none() {
-        let advice = "no Python with cantools and python-can; `cargo xtask test` installs it";
-        assert_ne!(std::env::var("CI").as_deref(), Ok("true"), "{advice}");
-        eprintln!("skipped: {advice}");
-    }
-    found
-}
-
 /// Compares every signal of every frame of a log with cantools; returns frames and signals compared.
 fn compare_with_cantools(python: &Path, dbc: &str, log: &str) -> (usize, usize) {
     let mut command = Command::new(python);
-    command.current_dir(root()).args(["tools/witness/decode_log.py", dbc, log]);
+    command.current_dir(surroundings::root()).args(["tools/witness/decode_log.py", dbc, log]);
     let theirs = command.output().unwrap();
     assert!(theirs.status.success(), "{}", String::from_utf8_lossy(&theirs.stderr));
     let theirs = String::from_utf8(theirs.stdout).unwrap();
@@ -106,9 +84,9 @@ fn compare_with_cantools(python: &Path, dbc: &str, log: &str) -> (usize, usize) 
 
 #[test]
 fn the_city_drive_decodes_as_cantools_decodes_it() {
-    let Some(python) = witness() else { return };
+    let Some(python) = need::witness("decode of a drive") else { return };
     let (frames, signals) = compare_with_cantools(&python, "vehicles/bus/bus.dbc", CITY);
-    let recorded = std::fs::read_to_string(root().join(CITY)).unwrap().lines().count();
+    let recorded = std::fs::read_to_string(surroundings::root().join(CITY)).unwrap().lines().count();
     assert_eq!(frames, recorded);
     println!("{frames} frames, {signals} signals agree with cantools");
 }
@@ -150,7 +128,7 @@ fn scrambled_log(messages: &[MessageInfo], rounds: usize) -> String {
 #[test]
 fn scrambled_frames_of_every_vehicle_decode_as_cantools_decodes_them() {
     const ROUNDS: usize = 40;
-    let Some(python) = witness() else { return };
+    let Some(python) = need::witness("decode of every message") else { return };
     for (name, messages) in MESSAGES {
         let folder = tempfile::tempdir().unwrap();
         let log = written(&folder, &scrambled_log(messages, ROUNDS));
@@ -185,7 +163,7 @@ fn text_stands_in_columns() {
 
 #[test]
 fn signals_are_picked_by_glob_and_a_misspelt_one_gets_the_nearest() {
-    let (json, _) = decoded(&[CITY, "--format", "json", "--signals", "bms1.SOC", "g?ar"]);
+    let (json, _) = decoded(&[CITY, "--format", "json", "--signals", "bms1.SOC,g?ar"]);
     let names = json.lines().map(|line| serde_json::from_str::<Json>(line).unwrap()["signal"].clone());
     let names: std::collections::BTreeSet<String> = names.map(|name| name.as_str().unwrap().into()).collect();
     assert_eq!(names.into_iter().collect::<Vec<_>>(), ["gear", "soc"]);
@@ -200,6 +178,21 @@ fn signals_are_picked_by_glob_and_a_misspelt_one_gets_the_nearest() {
 fn a_misspelt_vehicle_gets_the_nearest() {
     let said = complaint(&[CITY, "--vehicle", "bsu"]);
     assert!(said.contains("no vehicle is called `bsu`; did you mean `bus`?"), "{said}");
+}
+
+#[test]
+fn signals_are_named_before_the_file_or_behind_it_one_by_one_or_with_commas() {
+    let expected = decoded(&[CITY, "--signals", "vehicle_speed,gear,bms1.soc"]).0;
+    for signal in ["vehicle_speed", "gear", "soc"] {
+        assert!(expected.contains(signal), "{signal}");
+    }
+    for arguments in [
+        &["--signals", "vehicle_speed,gear,bms1.soc", CITY][..],
+        &["--signals", "vehicle_speed,gear", "--signals", "bms1.soc", CITY],
+        &["--signals=vehicle_speed", CITY, "--signals=gear", "--signals=bms1.soc"],
+    ] {
+        assert_eq!(decoded(arguments).0, expected, "{arguments:?}");
+    }
 }
 
 #[test]
@@ -239,7 +232,7 @@ fn what_cannot_be_decoded_is_counted() {
 
 #[test]
 fn a_stream_is_decoded_as_the_file_is() {
-    let log = std::fs::read_to_string(root().join(CITY)).unwrap();
+    let log = std::fs::read_to_string(surroundings::root().join(CITY)).unwrap();
     let start: String = log.lines().take(500).map(|line| format!("{line}\n")).collect();
     let folder = tempfile::tempdir().unwrap();
     let file = written(&folder, &start);
@@ -293,7 +286,8 @@ fn nobody_reading_on_is_a_quiet_end() {
     let mut stdout = BufReader::new(child.stdout.take().unwrap());
     stdout.read_line(&mut String::new()).unwrap();
     drop(stdout);
-    assert!(child.wait().unwrap().success());
+    // What a shell says of a tool that SIGPIPE has ended.
+    assert_eq!(child.wait().unwrap().code(), Some(141));
     let mut said = String::new();
     child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
     assert_eq!(said, "");

@@ -1,13 +1,16 @@
 //! `cargo xtask encode`: the inverse of decode, and errors that say what would be right.
 
+mod program;
+
+use program::xtask;
 use protocol_core::codec::{MessageInfo, Mux, SignalInfo};
 use protocol_core::generated::MESSAGES;
 use serde_json::Value as Json;
 use std::collections::BTreeMap;
-use std::process::{Command, Output};
+use std::process::Output;
 
 fn encode(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_xtask")).arg("encode").args(arguments).output().unwrap()
+    xtask().arg("encode").args(arguments).output().unwrap()
 }
 
 fn encoded(arguments: &[&str]) -> String {
@@ -28,7 +31,7 @@ fn decoded(vehicle: &str, frames: &[String]) -> Vec<BTreeMap<String, Json>> {
     let log = folder.path().join("x.log");
     let line = |(index, frame): (usize, &String)| format!("({index}.0) can0 {frame}\n");
     std::fs::write(&log, frames.iter().enumerate().map(line).collect::<String>()).unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+    let mut command = xtask();
     let output =
         command.args(["decode", "--format", "json", "--vehicle", vehicle]).arg(&log).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

@@ -1,19 +1,20 @@
 //! `cargo xtask replay`: what the cluster shows of a recording, as it changes.
 
+mod program;
+
+use program::xtask;
 use serde_json::Value as Json;
 use std::collections::BTreeMap;
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 const CITY: &str = "vehicles/bus/captures/city.log";
 
-fn xtask(arguments: &[&str]) -> Output {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-    Command::new(env!("CARGO_BIN_EXE_xtask")).current_dir(root).args(arguments).output().unwrap()
+fn run(arguments: &[&str]) -> Output {
+    xtask().args(arguments).output().unwrap()
 }
 
 fn printed(arguments: &[&str]) -> String {
-    let output = xtask(arguments);
+    let output = run(arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
@@ -127,7 +128,7 @@ fn a_jump_of_the_recorders_clock_is_named_with_its_line() {
         "(0.0) can0 0CF101A7#0400803000FF8000\n(1767225600.0) can0 0CF101A7#0400803000FF8001\n",
     )
     .unwrap();
-    let output = xtask(&["replay", path.to_str().unwrap()]);
+    let output = run(&["replay", path.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(1));
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(said.contains("jump.log:2: the time jumps by more than a day; cut the log there"), "{said}");

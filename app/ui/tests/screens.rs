@@ -42,8 +42,7 @@ fn read_png(path: &Path) -> Option<Vec<u8>> {
 /// Compares the picture of `view` with `tests/screens/<name>.png`.
 fn check(name: &str, view: &View) {
     let actual = rgb(&Panel::of(view).pixels);
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let expected_path = root.join(format!("tests/screens/{name}.png"));
+    let expected_path = surroundings::root().join(format!("app/ui/tests/screens/{name}.png"));
     if std::env::var_os("BLESS").is_some() {
         write_png(&expected_path, &actual);
         return;
@@ -52,7 +51,7 @@ fn check(name: &str, view: &View) {
     if expected == actual {
         return;
     }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("screens");
+    let folder = surroundings::scratch().join("screens");
     write_png(&folder.join(format!("{name}.actual.png")), &actual);
     let differs = |at: usize| expected.get(3 * at..3 * at + 3) != actual.get(3 * at..3 * at + 3);
     let count = (0..actual.len() / 3).filter(|&at| differs(at)).count();
@@ -81,7 +80,7 @@ macro_rules! screens {
         #[test]
         fn every_committed_picture_has_its_scene() {
             let scenes = [$(stringify!($name)),*];
-            for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/screens")).unwrap() {
+            for entry in fs::read_dir(surroundings::root().join("app/ui/tests/screens")).unwrap() {
                 let path = entry.unwrap().path();
                 let name = path.file_stem().unwrap().to_str().unwrap();
                 assert!(scenes.contains(&name), "{} belongs to no scene: delete it", path.display());

@@ -25,7 +25,7 @@ fn collect(folder: &Path, ending: &str, found: &mut BTreeMap<char, PathBuf>) {
 
 #[test]
 fn every_character_of_every_text_has_a_glyph() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let root = surroundings::root();
     let mut found = BTreeMap::new();
     collect(&root.join("app/cluster"), ".rs", &mut found);
     collect(&root.join("app/ui/src"), "words.rs", &mut found);
@@ -48,7 +48,7 @@ fn quoted<'a>(line: &'a str, key: &str) -> Option<&'a str> {
 
 #[test]
 fn every_fault_text_fits_the_message_line_beside_its_code() {
-    let vehicles = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../vehicles");
+    let vehicles = surroundings::root().join("vehicles");
     let (mut checked, mut wide) = (0, Vec::new());
     for path in fs::read_dir(vehicles).unwrap().flatten().map(|entry| entry.path().join("vehicle.toml")) {
         for line in fs::read_to_string(&path).unwrap_or_default().lines() {
@@ -93,7 +93,7 @@ fn a_character_without_glyph_is_noticed() {
 
 #[test]
 fn the_bitmaps_leave_room_in_flash() {
-    let fonts = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/fonts")).unwrap().flatten();
+    let fonts = fs::read_dir(surroundings::root().join("app/ui/src/fonts")).unwrap().flatten();
     let bitmaps = fonts.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "bin"));
     let bytes: u64 = bitmaps.map(|entry| entry.metadata().unwrap().len()).sum();
     println!("bitmaps: {bytes} bytes");

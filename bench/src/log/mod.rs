@@ -116,6 +116,11 @@ impl fmt::Display for LogError {
 impl std::error::Error for LogError {}
 
 impl Log {
+    /// Returns a recording of these frames, ascending in time: made, not read.
+    pub fn of(entries: Vec<Entry>) -> Self {
+        Self { origin: 0, timed: true, entries, error_frames: 0, notes: Vec::new() }
+    }
+
     /// Reads a file that tells everything itself.
     ///
     /// # Errors

@@ -131,13 +131,3 @@ impl Drop for Server {
         }
     }
 }
-
-/// Serves the page until the process ends.
-///
-/// # Errors
-/// Like [`Server::start`].
-pub fn serve(start: Start, make: impl FnMut(Option<Kind>) -> Result<Rig> + Send + 'static) -> Result<()> {
-    let server = Server::start(start, make)?;
-    println!("the cluster drives at http://{}/  (Ctrl-C ends it)", server.address());
-    server.wait()
-}

@@ -11,8 +11,8 @@
 use super::Rp2040;
 use super::bus::Width;
 use super::chip::{FlashJob, RAM_BASE};
-use super::rom::{self, Service};
 use super::nor::{PAGE_BYTES, SECTOR_BYTES};
+use super::rom::{self, Service};
 use super::xip::FLASH_BYTES;
 use crate::pins::Board;
 use crate::time::Nanos;

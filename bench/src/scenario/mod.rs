@@ -25,7 +25,7 @@ use crate::can::Frame;
 use anyhow::{Context, Result, bail};
 use cluster::Button;
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use virtual_vehicle::{Kind, Options, Setting};
 
 /// Where a scenario runs.
@@ -159,7 +159,7 @@ impl Scenario {
 
 /// Returns the folder of all scenarios: one folder per vehicle.
 pub fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios")
+    surroundings::root().join("bench/scenarios")
 }
 
 /// Returns the scenario files of a vehicle, sorted by name; none if it has no folder.

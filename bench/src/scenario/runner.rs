@@ -101,7 +101,7 @@ fn drive(
 pub fn trace(
     scenario: &Scenario,
     subject: &mut dyn Subject,
-    tell: &mut dyn FnMut(u64, &str, &str),
+    tell: &mut dyn FnMut(u64, &str, &str) -> std::io::Result<()>,
 ) -> anyhow::Result<()> {
     let names = Name::on_screen();
     let mut last: Vec<Option<Answer>> = vec![None; names.len()];
@@ -109,7 +109,7 @@ pub fn trace(
     for now in (0..=scenario.end_ms.next_multiple_of(LOOK_MS)).step_by(LOOK_MS as usize) {
         subject.advance_to(now)?;
         while let Some(act) = acts.next_if(|act| act.at_ms <= now) {
-            tell(now, "do", &format!("{:?}", act.action));
+            tell(now, "do", &format!("{:?}", act.action))?;
             subject.act(&act.action)?;
         }
         for (name, last) in names.iter().zip(&mut last) {
@@ -117,7 +117,7 @@ pub fn trace(
             if answer != *last
                 && let Some(answer) = &answer
             {
-                tell(now, &name.to_string(), &answer.to_string());
+                tell(now, &name.to_string(), &answer.to_string())?;
             }
             *last = answer;
         }

@@ -1,4 +1,4 @@
-//! What tests of the real firmware share: where its image is, where the witnesses are.
+//! What tests of the real firmware share: where its image is.
 
 #![allow(dead_code, reason = "each test file uses a part")]
 
@@ -20,25 +20,10 @@ pub(crate) fn elf_example() -> PathBuf {
 }
 
 fn image(variable: &str, name: &str) -> PathBuf {
-    let built = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/out").join(name);
+    let built = || surroundings::root().join("target/out").join(name);
     let path = std::env::var_os(variable).map_or_else(built, PathBuf::from);
     assert!(path.exists(), "{name} is not built: run `cargo xtask test`, which builds it first");
     path
-}
-
-/// The interpreter that has cantools; without one the check is skipped here and fails in CI.
-pub(crate) fn witness_python() -> Option<PathBuf> {
-    let venv = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/venv/bin/python");
-    let named = std::env::var_os("WITNESS_PYTHON").map(PathBuf::from);
-    let found = named.or_else(|| venv.exists().then_some(venv));
-    if found.is_none() {
-        assert!(
-            std::env::var_os("CI").is_none(),
-            "no cantools: `cargo xtask test` installs it into target/venv"
-        );
-        println!("skipped: no cantools; `cargo xtask test` installs it into target/venv");
-    }
-    found
 }
 
 /// Writes a 320x240 picture of RGB565 pixels as PNG.

@@ -10,32 +10,11 @@ mod truth;
 use protocol_core::generated;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::path::Path;
+use std::process::Command;
+use surroundings::{need, root};
 use truth::{drive, truths};
 use virtual_vehicle::{Kind, Options, STEP_MS, VirtualVehicle};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// Returns an interpreter that has cantools, or why there is none.
-fn interpreter() -> Result<PathBuf, String> {
-    let installed = root().join("target/venv/bin/python");
-    let python = match std::env::var_os("WITNESS_PYTHON") {
-        Some(python) => PathBuf::from(python),
-        None if installed.is_file() => installed,
-        None => PathBuf::from("python3"),
-    };
-    let probe = Command::new(&python).args(["-c", "import cantools, can"]).stderr(Stdio::null()).status();
-    match probe {
-        Ok(status) if status.success() => Ok(python),
-        _ => Err(format!(
-            "{} has no cantools: `cargo xtask test` installs it into target/venv",
-            python.display()
-        )),
-    }
-}
 
 /// What was true when a frame was made: signal and value.
 type Facts = Vec<(&'static str, f64)>;
@@ -80,7 +59,7 @@ fn step_of(kind: Kind, message: &str, signal: &str) -> (f64, f64, f64) {
 
 fn compare(python: &Path, kind: Kind) {
     let (text, facts) = log(kind);
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("vehicle-{}.log", kind.name()));
+    let file = surroundings::scratch().join(format!("vehicle-{}.log", kind.name()));
     std::fs::write(&file, text).expect("the target folder takes a file");
     let output = Command::new(python)
         .arg(root().join("tools/witness/vehicle_log.py"))
@@ -118,14 +97,7 @@ fn compare(python: &Path, kind: Kind) {
 
 #[test]
 fn cantools_reads_out_of_the_frames_what_is_true_in_the_vehicle() {
-    let python = match interpreter() {
-        Ok(python) => python,
-        Err(reason) if std::env::var("CI").as_deref() == Ok("true") => panic!("{reason}"),
-        Err(reason) => {
-            eprintln!("skipped, the virtual vehicle has no second witness here: {reason}");
-            return;
-        }
-    };
+    let Some(python) = need::witness("the frames of the virtual vehicle") else { return };
     std::thread::scope(|scope| {
         for kind in Kind::ALL {
             let python = &python;

@@ -324,7 +324,7 @@ fn of_words() -> (String, String) {
 
 #[test]
 fn every_keyword_can_be_a_message_a_signal_and_a_value() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let root = surroundings::root();
     let (dbc, toml) = of_words();
     let text = vehicle_compiler::compile("words", ("words.dbc", &dbc), ("vehicle.toml", &toml));
     let text = text.unwrap_or_else(|error| panic!("{error}"));

@@ -1,11 +1,10 @@
 //! The made-up vehicles of protocol-core's tests: their generated files are what the generator writes today.
 
 use std::fs;
-use std::path::Path;
 
 /// Compares the generated file of `protocol-core/tests/<folder>/<name>.dbc` with the committed one.
 fn is_generated_as_committed(folder: &str, name: &str) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests").join(folder);
+    let folder = surroundings::root().join("protocol-core/tests").join(folder);
     let read = |file: &str| fs::read_to_string(folder.join(file)).expect("the file is there");
     let dbc_name = format!("{name}.dbc");
     let (dbc, toml) = (read(&dbc_name), read("vehicle.toml"));
@@ -28,7 +27,7 @@ fn the_torture_vehicle_is_generated_as_committed() {
 #[test]
 fn the_hostile_vehicle_is_generated_as_committed_and_has_no_findings() {
     is_generated_as_committed("hostile", "hostile");
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/hostile");
+    let folder = surroundings::root().join("protocol-core/tests/hostile");
     let dbc = fs::read_to_string(folder.join("hostile.dbc")).expect("the file is there");
     assert_eq!(vehicle_compiler::lint::lint("hostile.dbc", &dbc).to_string(), "");
 }

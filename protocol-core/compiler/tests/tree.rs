@@ -7,7 +7,7 @@ use std::process::Command;
 use vehicle_compiler::{Diagnostics, GENERATED, proof, write_if};
 
 fn repository() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+    surroundings::root()
 }
 
 /// Copies vehicles and generated files of the repository into a new folder.

@@ -29,7 +29,7 @@ pub(crate) struct Car {
 impl Car {
     /// Returns the path of one of its files.
     pub(crate) fn file(&self, name: &str) -> PathBuf {
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(&self.folder).join(name)
+        surroundings::root().join(&self.folder).join(name)
     }
 
     /// Returns the text of its `vehicle.toml`.

@@ -58,8 +58,7 @@ fn icon_source(bits: &mut Vec<u8>) -> String {
 
 fn main() -> Result<()> {
     let check = std::env::args().any(|argument| argument == "--check");
-    let root =
-        Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(3).context("the workspace")?.to_path_buf();
+    let root = surroundings::root();
     let target = root.join("app/ui/src/fonts");
     let fonts = PathBuf::from(std::env::var_os("FONTS").unwrap_or_else(|| SYSTEM_FONTS.into()));
 
