@@ -5,9 +5,9 @@
 //! protocols, other buses) are no frames.
 
 use super::line::{Event, Line};
-use super::times::Evidence;
 use super::token::{
-    CAN_FD, Stamp, coded_frame, data_length, hex, hex_byte, identifier, is_digits, payload, quoted, seconds,
+    CAN_FD, Evidence, Stamp, coded_frame, data_length, hex, hex_byte, identifier, is_digits, payload, quoted,
+    seconds,
 };
 use crate::can::Frame;
 

@@ -4,8 +4,7 @@
 //! and some write the length as `DLC`.
 
 use super::line::{Event, Line};
-use super::times::Evidence;
-use super::token::{Stamp, data_frame, hex, hex_byte, identifier, is_digits, payload, quoted};
+use super::token::{Evidence, Stamp, data_frame, hex, hex_byte, identifier, is_digits, payload, quoted};
 
 pub(super) fn looks_like(line: &str) -> bool {
     line.trim().to_ascii_lowercase().starts_with("time stamp,id,extended")

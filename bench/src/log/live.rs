@@ -5,7 +5,8 @@
 
 use super::placer::Placer;
 use super::reader::{Reader, Said};
-use super::times::{Evidence, UNDECIDED};
+use super::times::UNDECIDED;
+use super::token::Evidence;
 use super::{Channel, Entry, LogError, Reading, Times, notes};
 use crate::can::Frame;
 use crate::time::Nanos;

@@ -13,6 +13,7 @@
 
 mod asc;
 mod candump;
+mod format;
 mod gvret;
 mod line;
 mod live;

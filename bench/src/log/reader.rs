@@ -1,6 +1,7 @@
 //! Reads a recording line by line: finds the format, counts what is no frame, notices a last line that is cut off.
 
-use super::line::{Event, Format, Line};
+use super::format::Format;
+use super::line::{Event, Line};
 use super::token::Stamp;
 use super::{LogError, others};
 use crate::can::Id;

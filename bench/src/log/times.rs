@@ -6,7 +6,7 @@
 //! that only rise are no gaps, and times that rise and fall are no clock. The rest has to be said.
 
 use super::Times;
-use super::token::Stamp;
+use super::token::{Evidence, Stamp};
 use crate::time::Nanos;
 
 /// A step back up to here is the order in which a recorder emptied its buffers, not another recording.
@@ -15,19 +15,6 @@ const STEP_BACK_MAX: Nanos = Nanos::from_millis(100);
 const RISES_OF_A_CLOCK: usize = 8;
 /// A clock that was read a little late now and then goes back in at most one of so many steps; gaps do in every other.
 const RISES_PER_FALL: usize = 8;
-
-/// What the form of a time says about what it counts from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Evidence {
-    /// From a fixed moment: the format says so.
-    Absolute,
-    /// From the line before: the file says so.
-    Delta,
-    /// Very likely from a fixed moment: candump writes gaps in another form.
-    Likely,
-    /// Nothing: the tool writes both alike.
-    Nothing,
-}
 
 /// Returns what the times of a recording count from, or the line and the reason why that cannot be told.
 pub(super) fn kind_of(stamps: &[(usize, Stamp)]) -> Result<Times, (usize, String)> {

@@ -1,6 +1,5 @@
 //! Tokens that the formats share, each held to its form: digits only, no sign, no other width than stated.
 
-use super::times::Evidence;
 use crate::can::{Frame, Id};
 use std::ops::RangeInclusive;
 
@@ -10,6 +9,19 @@ const QUOTED_MAX: usize = 60;
 const DATA_MAX: usize = 8;
 /// What is said of a frame with more data or another form than classic CAN.
 pub(super) const CAN_FD: &str = "a CAN FD frame; only classic CAN is known here";
+
+/// What the form of a time says about what it counts from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Evidence {
+    /// From a fixed moment: the format says so.
+    Absolute,
+    /// From the line before: the file says so.
+    Delta,
+    /// Very likely from a fixed moment: candump writes gaps in another form.
+    Likely,
+    /// Nothing: the tool writes both alike.
+    Nothing,
+}
 
 /// A time as the recorder wrote it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! The page "Add your vehicle in an hour", executed: its blocks make a vehicle in an empty folder.
 
 use std::fs;
+use std::path::{Path, PathBuf};
 use surroundings::root;
 
 /// Does the page's `cargo xtask codegen` in a folder that is not the repository.
