@@ -9,6 +9,7 @@
 pub mod can;
 pub mod chips;
 pub mod join;
+pub mod latency;
 pub mod log;
 pub mod page;
 pub mod pins;

@@ -58,9 +58,6 @@ const BABBLE: Option<Id> = Id::standard(0);
 const FRAMES_KEPT: usize = 1 << 17;
 const RECORDS_KEPT: usize = 1 << 14;
 
-/// A pixel that goes A, B, A within this span was cleared and drawn again: views come 50 ms apart.
-const FLICKER_SPAN: Nanos = Nanos::from_millis(40);
-
 /// A frame that was on the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Heard {
@@ -137,7 +134,6 @@ impl Rig {
             PanelKind::Ili9341 => panel::Config::ILI9341,
             PanelKind::St7789 => panel::Config::ST7789,
         };
-        let panel = panel::Config { flicker_span: FLICKER_SPAN, ..panel };
         let mut board = BenchBoard::new(pico_wiring(), options.bitrate, can, panel);
         let heard = Arc::new(Mutex::new(Recent::keeping(FRAMES_KEPT)));
         let node = board.bus_mut().attach("logger");

@@ -321,22 +321,42 @@ fn power_mode_madctl_and_colmod_read_back() {
 }
 
 #[test]
-fn clear_then_draw_counts_as_flicker_and_drawing_once_does_not() {
+fn clear_then_draw_in_one_picture_is_flicker_and_what_moves_from_picture_to_picture_is_not() {
     let mut rig = Rig::running(Config::ILI9341, MV);
-    let mut draw = |colour: u16, wait_ms: u64| {
-        rig.window((0, 9), (0, 9));
-        rig.pixels([colour; 100]);
-        rig.wait_ms(wait_ms);
+    // Paints ten by ten pixels in each of the colours, one after the other, as one picture.
+    let mut picture = |colours: &[u16]| {
+        rig.panel.select(rig.now, false);
+        rig.panel.select(rig.now, true);
+        for &colour in colours {
+            rig.window((0, 9), (0, 9));
+            rig.pixels([colour; 100]);
+        }
         rig.panel.flickered_pixels()
     };
-    assert_eq!(draw(0xFFFF, 500), 0, "first picture");
-    assert_eq!(draw(0xFFFF, 500), 0, "the same again");
-    assert_eq!(draw(0x0000, 5), 0, "cleared");
-    assert_eq!(draw(0xFFFF, 500), 100, "drawn again 5 ms later: the eye saw the background");
-    assert_eq!(draw(0x0000, 500), 100);
-    assert_eq!(draw(0xFFFF, 500), 100, "half a second is a blinking lamp, not flicker");
-    assert_eq!(draw(0x1111, 5), 100);
-    assert_eq!(draw(0x2222, 5), 100, "from colour to colour is an animation, not flicker");
+    assert_eq!(picture(&[0xFFFF]), 0, "the first");
+    assert_eq!(picture(&[0xFFFF]), 0, "the same again");
+    assert_eq!(picture(&[0x0000]), 0, "another");
+    assert_eq!(picture(&[0xFFFF]), 0, "the first again, however soon: a lamp blinks, a figure changes");
+    assert_eq!(picture(&[0x0000, 0xFFFF]), 100, "cleared, then drawn: the eye saw the ground");
+    assert_eq!(picture(&[0x0000, 0x1111, 0xFFFF]), 200, "by way of two colours");
+    assert_eq!(picture(&[0xFFFF, 0xFFFF]), 200, "written twice and never changed: waste, not flicker");
+    assert_eq!(picture(&[0x1111, 0x2222]), 200, "the picture before had another colour");
+    assert_eq!(picture(&[0x1111, 0x2222, 0x1111, 0x2222]), 400, "twice in one picture");
+}
+
+#[test]
+fn a_part_of_a_picture_that_is_painted_again_flickers_where_it_changed() {
+    let mut rig = Rig::running(Config::ILI9341, MV);
+    rig.window((0, 9), (0, 9));
+    rig.pixels([0x1111; 100]);
+    rig.panel.select(rig.now, false);
+    rig.panel.select(rig.now, true);
+    // The page, with the old figure in it; then the new figure, which has the old page's colour in some pixels.
+    rig.pixels([0x2222; 100]);
+    rig.window((2, 4), (2, 4));
+    rig.pixels([0x1111, 0x1111, 0x3333, 0x1111, 0x3333, 0x3333, 0x2222, 0x2222, 0x2222]);
+    assert_eq!(rig.panel.flickered_pixels(), 3);
+    assert_eq!(rig.panel.changed_pixels(), 100 + 100 + 6);
 }
 
 #[test]

@@ -7,10 +7,13 @@ use crate::out::say;
 use crate::{firmware, workspace};
 use anyhow::{Context, Result, bail};
 use bench::can::{Id, LoadGenerator};
+use bench::latency::{self, Change, Traffic};
 use bench::log::Log;
 use bench::rig::{Rig, RigOptions};
+use bench::rp2040::Stats;
 use bench::time::Nanos;
 use clap::Args;
+use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
@@ -40,6 +43,8 @@ pub fn run(options: &Options) -> Result<()> {
     let mut virtual_time = start_up(&elf, &mut rows)?;
     virtual_time += drive(&elf, &log, &mut rows)?;
     virtual_time += full_load(&elf, &log, &mut rows)?;
+    let ratio = virtual_time.as_secs_f64() / started.elapsed().as_secs_f64();
+    latency(&elf, &log, &mut rows)?;
     let (flash, ram) = firmware::footprint(&elf)?;
     rows.push((
         "flash, static RAM",
@@ -49,12 +54,11 @@ pub fn run(options: &Options) -> Result<()> {
     let compiler = version.split(" (").next().unwrap_or_default();
     let table = table(&rows, compiler);
     say!("{}", table.trim_end())?;
-    let ratio = virtual_time.as_secs_f64() / started.elapsed().as_secs_f64();
     say!("(engine: {ratio:.2} times as fast as real time on this machine)")?;
     quote(&table, compiler, options.check)
 }
 
-fn start_up(elf: &std::path::Path, rows: &mut Vec<Row>) -> Result<Nanos> {
+fn start_up(elf: &Path, rows: &mut Vec<Row>) -> Result<Nanos> {
     let mut rig = Rig::new(elf, &RigOptions::default())?;
     let step = Nanos::from_micros(100);
     while rig.board().panel().visible(rig.now()).is_none() || rig.board().panel().undrawn_pixels() > 0 {
@@ -67,55 +71,132 @@ fn start_up(elf: &std::path::Path, rows: &mut Vec<Row>) -> Result<Nanos> {
     Ok(rig.now())
 }
 
-fn drive(elf: &std::path::Path, log: &Log, rows: &mut Vec<Row>) -> Result<Nanos> {
+fn drive(elf: &Path, log: &Log, rows: &mut Vec<Row>) -> Result<Nanos> {
     let mut rig = Rig::new(elf, &RigOptions::default())?;
     rig.run_for(Nanos::from_millis(500))?;
+    let alone = rig.chip().stats();
+    rig.run_for(Nanos::from_secs(2))?;
+    let asleep_alone = asleep(&alone, &rig.chip().stats());
     rig.replay(log, false);
-    let panel_before = rig.board().panel().counters();
+    let before = rig.board().panel();
+    let (bytes, changed, chip) = (before.counters().bytes, before.changed_pixels(), rig.chip().stats());
     rig.run_for(log.duration() + Nanos::from_millis(1_500))?;
     let lost = log.entries.len() as u64 - u64::from(rig.health().frames_received);
-    rows.push(("frames of the 60 s drive sent, lost", format!("{}, {lost}", log.entries.len())));
-    let panel = rig.board().panel().counters();
-    let bytes = (panel.bytes - panel_before.bytes) as f64 / log.duration().as_secs_f64();
-    rows.push(("panel bytes per second of the drive (a full picture: 153 600)", format!("{bytes:.0}")));
+    rows.push(("frames of the 60 s city drive: sent, lost", format!("{}, {lost}", log.entries.len())));
+    let panel = rig.board().panel();
+    let (bytes, changed) = (panel.counters().bytes - bytes, panel.changed_pixels() - changed);
     rows.push((
-        "pixels that flickered (A, B, A within 40 ms) in that drive",
-        rig.board().panel().flickered_pixels().to_string(),
+        "panel bytes of that drive, against the 2 that each changed pixel takes",
+        format!("{bytes}, {:.2} times", bytes as f64 / (2 * changed) as f64),
+    ));
+    rows.push((
+        "pixels that left their colour and came back to it within one picture of that drive",
+        panel.flickered_pixels().to_string(),
+    ));
+    rows.push((
+        "processor asleep: no vehicle for 2 s, that drive",
+        format!("{asleep_alone:.1} %, {:.1} %", asleep(&chip, &rig.chip().stats())),
     ));
     Ok(rig.now())
 }
 
-fn full_load(elf: &std::path::Path, log: &Log, rows: &mut Vec<Row>) -> Result<Nanos> {
+/// What is sent without a pause.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Flood {
+    /// Frames of an identifier that no vehicle has, in the pauses of the drive.
+    Strangers,
+    /// The drive's own frames.
+    Own,
+}
+
+/// What [`FLOODED`] of a bus without a pause did.
+struct Load {
+    seen: u64,
+    lost: u64,
+    bytes: u64,
+    longest_low: Nanos,
+    asleep: f64,
+    took: Nanos,
+}
+
+/// How long a bus is kept without a pause.
+const FLOODED: Nanos = Nanos::from_secs(20);
+
+fn full_load(elf: &Path, log: &Log, rows: &mut Vec<Row>) -> Result<Nanos> {
+    let [strangers, own] = [flood(elf, log, Flood::Strangers)?, flood(elf, log, Flood::Own)?];
+    let counts = |load: &Load| format!("{}, {}", load.seen, load.lost);
+    rows.push(("frames in 20 s of full load, 250 kbit/s, no vehicle's: seen, lost", counts(&strangers)));
+    rows.push(("frames in 20 s of full load, the drive's back to back: seen, lost", counts(&own)));
+    rows.push((
+        "processor asleep at these two loads",
+        format!("{:.1} %, {:.1} %", strangers.asleep, own.asleep),
+    ));
+    let low = |load: &Load| format!("{:.0} us", load.longest_low.0 as f64 / 1e3);
+    rows.push((
+        "longest time with INT low in these 20 s (a sample)",
+        format!("{}, {}", low(&strangers), low(&own)),
+    ));
+    let bytes = strangers.bytes as f64 / strangers.seen as f64;
+    rows.push(("SPI bytes per received frame at the first, sending included", format!("{bytes:.2}")));
+    Ok(strangers.took + own.took)
+}
+
+fn flood(elf: &Path, log: &Log, flood: Flood) -> Result<Load> {
     let mut rig = Rig::new(elf, &RigOptions::default())?;
-    rig.run_for(Nanos::from_millis(500))?;
-    let idle = |from: &bench::rp2040::Stats, to: &bench::rp2040::Stats| {
-        100.0 * (to.cycles_asleep - from.cycles_asleep) as f64 / (to.cycles - from.cycles) as f64
-    };
-    let quiet = rig.chip().stats();
-    rig.run_for(Nanos::from_secs(2))?;
-    let asleep_quiet = idle(&quiet, &rig.chip().stats());
-    let flood = rig.board_mut().bus_mut().attach("flood");
-    let id = Id::extended(0x1FFF_FFF0).context("a 29-bit identifier")?;
-    rig.board_mut().join(LoadGenerator::sequenced(flood, id));
-    rig.replay(log, true);
-    let (before, chip_before) = (rig.board().mcp2515().counters(), rig.chip().stats());
-    rig.run_for(Nanos::from_secs(20))?;
+    rig.run_for(Nanos::from_millis(2_500))?;
+    let node = rig.board_mut().bus_mut().attach("flood");
+    match flood {
+        Flood::Strangers => {
+            let id = Id::extended(0x1FFF_FFF0).context("a 29-bit identifier")?;
+            rig.board_mut().join(LoadGenerator::sequenced(node, id));
+            rig.replay(log, true);
+        }
+        Flood::Own => {
+            let frames = log.recording();
+            let length = frames.len().max(1) as u64;
+            let first = frames.first().context("the recording is empty")?.1;
+            let frame =
+                move |number: u64| frames.get((number % length) as usize).map_or(first, |(_, it)| *it);
+            rig.board_mut().join(LoadGenerator::new(node, frame));
+        }
+    }
+    let (before, chip) = (rig.board().mcp2515().counters(), rig.chip().stats());
+    rig.run_for(FLOODED)?;
     let after = rig.board().mcp2515().counters();
-    let frames = after.frames_seen - before.frames_seen;
-    let lost = after.frames_overrun.iter().sum::<u64>() + u64::from(rig.health().ring_overflows);
+    Ok(Load {
+        seen: after.frames_seen - before.frames_seen,
+        lost: after.frames_overrun.iter().sum::<u64>() + u64::from(rig.health().ring_overflows),
+        bytes: after.spi_bytes - before.spi_bytes,
+        longest_low: longest_low(&rig),
+        asleep: asleep(&chip, &rig.chip().stats()),
+        took: rig.now(),
+    })
+}
+
+/// Changes that are measured of each kind.
+const CHANGES: usize = 60;
+
+fn latency(elf: &Path, log: &Log, rows: &mut Vec<Row>) -> Result<()> {
+    let measured = |change| -> Result<String> {
+        let times = latency::measure(elf, log, change, Traffic::Standing, CHANGES)?;
+        let ms = |time: Nanos| time.as_secs_f64() * 1e3;
+        Ok(format!("{:.1} / {:.1} ms", ms(times.median()), ms(times.worst())))
+    };
     rows.push((
-        "frames at 100 % load of 250 kbit/s for 20 s while drawing: seen, lost",
-        format!("{frames}, {lost}"),
+        "end of a frame to its last pixel, standing bus, median / worst of 60: gear",
+        measured(Change::Gear)?,
     ));
-    let bytes = (after.spi_bytes - before.spi_bytes) as f64 / frames as f64;
-    rows.push(("SPI bytes per received frame, sending included", format!("{bytes:.2}")));
+    rows.push(("the same: a fault's lamps and line", measured(Change::Fault)?));
     rows.push((
-        "longest time with INT low at that load",
-        format!("{:.0} us", longest_low(&rig).0 as f64 / 1e3),
+        "the same: speed with its pointer, 48 to 49, 119 to 188 km/h",
+        format!("{}, {}", measured(Change::Speed)?, measured(Change::Dial)?),
     ));
-    let asleep = idle(&chip_before, &rig.chip().stats());
-    rows.push(("processor asleep: quiet bus, that load", format!("{asleep_quiet:.1} %, {asleep:.1} %")));
-    Ok(rig.now())
+    Ok(())
+}
+
+/// Returns how much of the time between two looks the processor slept, in percent.
+fn asleep(from: &Stats, to: &Stats) -> f64 {
+    100.0 * (to.cycles_asleep - from.cycles_asleep) as f64 / (to.cycles - from.cycles) as f64
 }
 
 /// Returns the longest time that the MCP2515 has waited for service.

@@ -17,7 +17,7 @@ use crate::reception::{Counters, Facts, MAX_MESSAGES, Nodes, Received, Reception
 use crate::reverse::Reverse;
 use crate::settings::Settings;
 use crate::sources;
-use crate::telltale::Telltales;
+use crate::telltale::{Telltale, Telltales};
 use crate::timers::{Options, Timers};
 use crate::transmit::{MAX_SENT, Transmit};
 use crate::trip::{self, Trip, Trips};
@@ -422,6 +422,8 @@ impl Cluster {
             hv_off_s: self.timers.hv_off.countdown_s(now),
             page: self.page(now),
             telltales: if is_bulb_check { Telltales::ALL } else { self.lamps.lit() },
+            is_power_limited: self.lamps.lit().is_lit(Telltale::PowerLimited),
+            is_charge_low: self.lamps.lit().is_lit(Telltale::LowCharge),
             severity: self.faults.worst().max(line.map_or(Severity::None, |line| line.severity)),
             line,
             heartbeat: (now.0 / HEARTBEAT_MS) % 2 == 1,

@@ -206,8 +206,12 @@ pub struct View {
     pub hv_off_s: Option<u8>,
     /// The page, with what only it shows.
     pub page: Page,
-    /// Lit lamps.
+    /// Lit lamps; all of them during their check after start, whatever is true.
     pub telltales: Telltales,
+    /// Drive power or torque is limited.
+    pub is_power_limited: bool,
+    /// The charge is low.
+    pub is_charge_low: bool,
     /// Worst severity that is active.
     pub severity: Severity,
     /// The message line.
@@ -243,6 +247,8 @@ impl Default for View {
             hv_off_s: None,
             page: Page::Main,
             telltales: Telltales::NONE,
+            is_power_limited: false,
+            is_charge_low: false,
             severity: Severity::None,
             line: None,
             heartbeat: false,

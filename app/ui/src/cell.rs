@@ -5,14 +5,14 @@
 
 use crate::{
     fonts::{self, CLOCK, CROSS, DASH, Font},
-    layout::{Align, Area, BAR_PART},
+    layout::{Align, Area, BAR_PART, rounded},
     row::Row,
     theme::{Ink, Palette, Ramp},
 };
 use protocol_core::model::{Severity, Shown};
 
-/// Most characters of a [`Short`].
-const MOST_CHARACTERS: usize = 18;
+/// Most characters of a [`Short`]: when a fault came, in hours of 136 years, and how often.
+const MOST_CHARACTERS: usize = 22;
 /// Space between a number and its unit, and between a text and its code, pixels.
 const GAP: u16 = 4;
 
@@ -127,6 +127,16 @@ impl Slot {
         }
     }
 
+    /// Returns how far a number moves to the left so that its sign begins where a figure would.
+    fn lean(&self, content: &Content) -> i16 {
+        let (Content::Short(short) | Content::Measure(short, _), Align::Left) = (content, self.align) else {
+            return 0;
+        };
+        let sign = short.characters().next().filter(|&first| first == '-');
+        let glyph = sign.and_then(|sign| self.font.glyph(self.font.find(sign)?));
+        glyph.map_or(0, |glyph| i16::from(glyph.left))
+    }
+
     /// Returns the width of what stands in a cell here, pixels.
     pub(crate) fn width(&self, content: &Content) -> u16 {
         match content {
@@ -144,10 +154,25 @@ impl Slot {
         }
     }
 
+    /// Returns whether something has room here; some glyphs reach one pixel over their width.
+    pub(crate) fn has_room_for(&self, content: &Content) -> bool {
+        self.width(content) < self.area.width
+    }
+
+    /// Returns the content that `with` makes of a number of which the last `decimals` figures stand behind the point.
+    ///
+    /// What has no room loses decimals first, rounded; a number that has no room even so becomes the nearest that does.
+    pub(crate) fn fit(&self, value: i32, decimals: u32, with: impl Fn(i32, u32) -> Content) -> Content {
+        let shorter = (0..=decimals).map(|lost| (rounded(value, 10_i32.pow(lost)), decimals - lost));
+        let nearest = (0..10).rev().map(|figures| ((10_i32.pow(figures) - 1) * value.signum(), 0));
+        let mut contents = shorter.chain(nearest).map(|(value, decimals)| with(value, decimals));
+        contents.find(|content| self.has_room_for(content)).unwrap_or(Content::Blank)
+    }
+
     /// Paints a cell's part of a row that is ground so far.
     pub(crate) fn paint(&self, cell: &Cell, row: &mut Row, palette: &Palette) {
         let ramp = palette.ramp(cell.ink);
-        let left = self.left(self.width(&cell.content));
+        let left = self.left(self.width(&cell.content)) - self.lean(&cell.content);
         match &cell.content {
             Content::Blank => {}
             Content::Words(text) => {
@@ -251,6 +276,32 @@ mod tests {
         let marks = [Shown::Never, Shown::Stale, Shown::Invalid].map(|shown| Short::shown(shown, 1).codes);
         assert_eq!([marks[0][..3].to_vec(), marks[1][..3].to_vec()], [[DASH, DASH, 0], [CLOCK, DASH, DASH]]);
         assert_eq!(marks[2][0], CROSS);
+    }
+
+    #[test]
+    fn a_number_without_room_loses_its_decimals_and_then_its_last_figures() {
+        // Six figures of eight pixels.
+        let slot = Slot::new(Area::new(0, 0, 49, 14), 0, &fonts::VALUE, Align::Left);
+        let of = |value, decimals| match slot
+            .fit(value, decimals, |value, decimals| Content::Short(Short::EMPTY.decimal(value, decimals)))
+        {
+            Content::Short(short) => read(short),
+            other => std::format!("{other:?}"),
+        };
+        for (value, decimals, expected) in [
+            (0, 2, "0.00"),
+            (-131, 1, "-13.1"),
+            (99_949, 1, "9994.9"),
+            (123_456, 1, "12346"),
+            (-123_444, 1, "-12344"),
+            (-99_999, 2, "-1000"),
+            (123_456_789, 3, "123457"),
+            (i32::MAX, 0, "999999"),
+            (i32::MIN, 0, "-99999"),
+            (i32::MAX, 3, "999999"),
+        ] {
+            assert_eq!(of(value, decimals), expected, "{value} with {decimals} decimals");
+        }
     }
 
     #[test]

@@ -134,8 +134,8 @@ pub(crate) const GEAR: Area = Area::new(146, GEAR_TOP - 1, 28, 24);
 pub(crate) const SPEED_TOP: u16 = 74;
 /// Half the width of a figure of the speed: figures are centred, so they move in steps of this.
 pub(crate) const SPEED_HALF: u16 = 25;
-/// Place of the speed.
-pub(crate) const SPEED: Area = Area::new(160 - 3 * SPEED_HALF, SPEED_TOP - 1, 6 * SPEED_HALF, 80);
+/// Place of the speed: round figures reach two pixels over the capitals, on either side.
+pub(crate) const SPEED: Area = Area::new(160 - 3 * SPEED_HALF, SPEED_TOP - 2, 6 * SPEED_HALF, 82);
 
 /// Bar of the state of charge.
 pub(crate) const CHARGE_BAR: Area = Area::new(6, 55, 68, 6);
@@ -196,8 +196,10 @@ impl Field {
     }
 }
 
-const fn rounded(value: i32, divisor: i32) -> i32 {
-    (value + if value < 0 { -divisor / 2 } else { divisor / 2 }) / divisor
+/// Returns the nearest whole number, halves away from zero.
+pub(crate) const fn rounded(value: i32, divisor: i32) -> i32 {
+    let half = divisor / 2;
+    value.saturating_add(if value < 0 { -half } else { half }) / divisor
 }
 
 /// Every number but the speed.

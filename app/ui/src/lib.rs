@@ -1,8 +1,8 @@
 //! How the instrument looks: layout, colours, languages and the path from a view to pixels.
 //!
 //! [`Screen`] compares a [`View`](cluster::View) with what the panel shows, hands out what changed as tiles, and paints a
-//! tile on any [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget): each pixel once, from one row buffer, so that nothing flickers. No hardware, no clock, no allocation,
-//! integers only.
+//! tile into memory or on any [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget): each pixel once, so that
+//! nothing flickers. No hardware, no clock, no allocation, integers only.
 //!
 //! ```
 //! use cluster::View;
@@ -38,6 +38,7 @@ mod words;
 
 pub use picture::{has_glyph, message_room};
 pub use screen::Screen;
+pub use sheet::looks_same;
 pub use tile::{PanelPixel, Tile};
 
 /// Width of the screen in pixels.

@@ -276,11 +276,13 @@ pub(crate) struct Picture {
     pub(crate) message: Option<Message>,
     pub(crate) severity: Severity,
     pub(crate) lamps: Telltales,
+    pub(crate) is_power_limited: bool,
     pub(crate) gear: u8,
     pub(crate) speed: Figures<3>,
     pub(crate) fields: [Figures<FIELD_CELLS>; FIELDS.len()],
     /// Pixels of the bar that are lit.
     pub(crate) charge: Option<u16>,
+    pub(crate) is_charge_low: bool,
     /// Pixels of the bar that are lit, negative = to the left of zero.
     pub(crate) power: Option<i16>,
     pub(crate) heartbeat: bool,
@@ -297,10 +299,12 @@ impl Picture {
         message: None,
         severity: Severity::None,
         lamps: Telltales::NONE,
+        is_power_limited: false,
         gear: BLANK,
         speed: Figures::EMPTY,
         fields: [Figures::EMPTY; FIELDS.len()],
         charge: None,
+        is_charge_low: false,
         power: None,
         heartbeat: false,
         rings: [None; 2],
@@ -334,10 +338,12 @@ impl Picture {
                 Figures::of((field.number)(view), usize::from(field.cells), usize::from(field.decimals));
         }
         Self {
+            is_power_limited: view.is_power_limited,
             gear: view.gear.map_or(BLANK, sheet::letter),
             speed: Figures::of(view.speed_kmh.map(i32::from), 3, 0),
             fields,
             charge: view.soc_percent.value().map(|percent| (u32::from(percent.min(100)) * bar / 100) as u16),
+            is_charge_low: view.is_charge_low,
             power: view.power_hectowatts.value().map(power_reach),
             rings: [
                 angle(view.speed_kmh.value().map(u32::from), layout::DIAL_KMH),
@@ -362,7 +368,7 @@ impl Picture {
             }
             Widget::Lamp(lamp) => self.paint_lamp(lamp, row, palette),
             Widget::Limited => {
-                if self.lamps.is_lit(Telltale::PowerLimited) {
+                if self.is_power_limited {
                     let place = layout::LIMITED;
                     let font = &fonts::LABEL;
                     let text = said(words::LIMITED, self.language);
@@ -478,7 +484,7 @@ impl Picture {
     fn paint_charge(&self, row: &mut Row, palette: &Palette) {
         let Area { x, width, .. } = layout::CHARGE_BAR;
         let Some(lit) = self.charge else { return dotted(row, x, width, palette.track) };
-        let ink = if self.lamps.is_lit(Telltale::LowCharge) { Ink::Yellow } else { Ink::Accent };
+        let ink = if self.is_charge_low { Ink::Yellow } else { Ink::Accent };
         row.fill(x, lit, palette.colour(ink));
         row.fill(x + lit, width - lit, palette.track);
     }
@@ -621,6 +627,7 @@ pub(crate) fn label_area(label: &Label, language: Language) -> Area {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use protocol_core::model::Gear;
     extern crate std;
     use std::string::String;
 
@@ -669,6 +676,78 @@ mod tests {
         assert_eq!(read(of(Shown::Stale)).as_bytes(), [CLOCK, b' ', DASH, DASH]);
         assert_eq!(read(of(Shown::Invalid)).as_bytes(), [CROSS, b' ', DASH, DASH]);
         assert_ne!(of(Shown::Never).ink, of(Shown::Stale).ink);
+    }
+
+    /// A colour that nothing is painted in.
+    const UNPAINTED: u16 = 1;
+
+    /// Returns whether a widget paints outside its place when nothing cuts it: beside it, or also above and below.
+    fn leaves_its_place(picture: &Picture, widget: Widget, place: Area) -> bool {
+        // These fill the rows they are asked for.
+        let fills = matches!(
+            widget,
+            Widget::Band
+                | Widget::Stripe
+                | Widget::Lamp(_)
+                | Widget::Charge
+                | Widget::Power
+                | Widget::Heartbeat
+                | Widget::Dial
+        );
+        let rows = if fills { place.y..place.bottom() } else { 0..crate::HEIGHT };
+        rows.into_iter().any(|y| {
+            let mut pixels = [UNPAINTED; crate::WIDTH as usize];
+            picture.paint(widget, &mut Row { y, left: 0, pixels: &mut pixels });
+            let is_inside =
+                |x| (place.x..place.right()).contains(&x) && (place.y..place.bottom()).contains(&y);
+            (0_u16..).zip(pixels).any(|(x, pixel)| pixel != UNPAINTED && !is_inside(x))
+        })
+    }
+
+    #[test]
+    fn every_widget_has_room_for_the_ends_of_its_value() {
+        let powers = (0..10).flat_map(|figures| [10_i32.pow(figures) - 1, 10_i32.pow(figures)]);
+        let values = powers.flat_map(|value| [value, -value]).chain([i32::MIN, i32::MAX]).map(Shown::Value);
+        let gears = [Gear::D, Gear::R, Gear::N, Gear::P].into_iter().chain((0..=u8::MAX).map(Gear::Forward));
+        let mut gears = gears.cycle();
+        for shown in values.chain([Shown::Never, Shown::Stale, Shown::Invalid]) {
+            let small = |most: i32| shown.map(|value| value.clamp(0, most));
+            for language in [Language::Chinese, Language::English] {
+                let view = View {
+                    language,
+                    speed_kmh: small(0xFFFF).map(|value| value as u16),
+                    gear: gears.next(),
+                    soc_percent: small(255).map(|value| value as u8),
+                    pack_decivolts: shown,
+                    pack_deciamps: shown,
+                    power_hectowatts: shown,
+                    motor_rpm: shown,
+                    motor_celsius: shown,
+                    inverter_celsius: shown,
+                    cell_millivolts: (shown, shown),
+                    cell_celsius: (shown, shown),
+                    odometer_hectometres: small(i32::MAX).value().map_or(u32::MAX, |value| value as u32),
+                    telltales: Telltales::ALL,
+                    is_power_limited: true,
+                    limp: Some(Limp { limit_deciamps: shown.value() }),
+                    line: Some(Line {
+                        severity: Severity::Stop,
+                        text: cluster::texts::LIMP,
+                        code: Some(u16::MAX),
+                        position: 99,
+                        count: 99,
+                    }),
+                    ..View::default()
+                };
+                let picture = Picture::of(&view);
+                for &(widget, place) in &layout::WIDGETS {
+                    assert!(
+                        !leaves_its_place(&picture, widget, place),
+                        "{widget:?} with {shown:?}, {language:?}: part of it is cut"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

@@ -118,8 +118,7 @@ impl Regions {
 
     /// Marks what looks different on the main page.
     fn mark_dial(&mut self, old: &Picture, new: &Picture) {
-        let switched = old.lamps.bits() ^ new.lamps.bits();
-        if switched >> Telltale::PowerLimited as u8 & 1 != 0 {
+        if old.is_power_limited != new.is_power_limited {
             self.mark(LIMITED);
         }
         if old.gear != new.gear {
@@ -137,7 +136,7 @@ impl Regions {
                 }
             }
         }
-        self.mark_bars(old, new, switched >> Telltale::LowCharge as u8 & 1 != 0);
+        self.mark_bars(old, new);
         for ring in 0..2 {
             if let Some((first, last)) = turned(old.rings[ring], new.rings[ring]) {
                 for part in first / PART_STEPS..=last / PART_STEPS {
@@ -164,7 +163,8 @@ impl Regions {
         }
     }
 
-    fn mark_bars(&mut self, old: &Picture, new: &Picture, recoloured: bool) {
+    fn mark_bars(&mut self, old: &Picture, new: &Picture) {
+        let recoloured = old.is_charge_low != new.is_charge_low;
         let bar = layout::CHARGE_BAR;
         let changed = match (old.charge, new.charge) {
             (Some(old), Some(new)) if recoloured => Some((0, old.max(new))),

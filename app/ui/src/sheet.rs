@@ -14,7 +14,7 @@ use crate::{
     words,
 };
 use cluster::{
-    Page, Telltale, Trip, View,
+    Page, Trip, View,
     page::{Count, Part},
     view::{Charging, Journey, Language, List, Listed, Plug, Range, Sheet, Text},
 };
@@ -76,8 +76,8 @@ const BLANK: Slot = Slot::new(Area::new(0, 0, 0, 0), 0, &fonts::LABEL, Align::Le
 /// Returns places of which the first are the head's.
 const fn headed<const COUNT: usize>() -> [Slot; COUNT] {
     let mut slots = [const { BLANK }; COUNT];
-    slots[0] = Slot::new(Area::new(LEFT, 30, 150, 22), 35, &fonts::MESSAGE, Align::Left);
-    slots[1] = Slot::new(Area::new(160, 35, 32, 14), 38, &fonts::LABEL, Align::Right);
+    slots[0] = Slot::new(Area::new(LEFT, 30, 144, 22), 35, &fonts::MESSAGE, Align::Left);
+    slots[1] = Slot::new(Area::new(154, 35, 38, 14), 38, &fonts::LABEL, Align::Right);
     slots[2] = Slot::new(Area::new(202, 26, 20, 24), 26, &fonts::GEAR, Align::Centre);
     slots[3] = Slot::new(Area::new(228, 26, RIGHT - 228, 25), 27, &fonts::FIGURE, Align::Right);
     slots[4] = Slot::new(BAR, 0, &fonts::LABEL, Align::Left);
@@ -104,6 +104,9 @@ static GRID: [Slot; HEAD + 2 * TILES] = {
     }
     slots
 };
+
+/// Where the numbers of the tiles stand: each has the same room.
+const NUMBER: &Slot = &GRID[HEAD + 1];
 
 /// Rows of a severity's mark, a text with its code, and when it came.
 const ROWS: usize = cluster::page::ROWS;
@@ -163,22 +166,27 @@ const fn words(text: Text, language: Language, ink: Ink) -> Cell {
     Cell { content: Content::Words(said(text, language)), ink }
 }
 
-fn measure(shown: Shown<i32>, decimals: u32, unit: Text, language: Language) -> Cell {
-    let number = Short::shown(shown, decimals);
-    Cell { content: Content::Measure(number, said(unit, language)), ink: ink_of(shown) }
+/// Returns a number with its unit, as it has room in `slot`.
+fn measure(slot: &Slot, shown: Shown<i32>, decimals: u32, unit: Text, language: Language) -> Cell {
+    let unit = said(unit, language);
+    let of = |value, decimals| Content::Measure(Short::EMPTY.decimal(value, decimals), unit);
+    let content = match shown {
+        Shown::Value(value) => slot.fit(value, decimals, of),
+        missing => Content::Measure(Short::shown(missing, decimals), unit),
+    };
+    Cell { content, ink: ink_of(shown) }
 }
 
-/// Returns the remaining range; an estimate is marked.
-fn range_of(range: Shown<Range>) -> Cell {
-    let start = match range {
-        Shown::Value(Range { is_estimated: true, .. }) => Short::EMPTY.code(b'~'),
-        _ => Short::EMPTY,
+/// Returns the remaining range, as it has room in `slot`; an estimate is marked.
+fn range_of(slot: &Slot, range: Shown<Range>) -> Cell {
+    let content = match range {
+        Shown::Value(Range { km, is_estimated }) => {
+            let start = if is_estimated { Short::EMPTY.code(b'~') } else { Short::EMPTY };
+            slot.fit(km.into(), 0, |km, _| Content::Measure(start.decimal(km, 0), words::KM.en))
+        }
+        missing => Content::Measure(Short::shown(missing.map(|_| 0), 0), words::KM.en),
     };
-    let number = match range {
-        Shown::Value(Range { km, .. }) => start.number(km.into(), 1),
-        missing => Short::shown(missing.map(|_| 0), 0),
-    };
-    Cell { content: Content::Measure(number, words::KM.en), ink: ink_of(range) }
+    Cell { content, ink: ink_of(range) }
 }
 
 /// Hours and minutes.
@@ -200,7 +208,7 @@ fn trip_tiles(view: &View, trip: Trip) -> [Tile; TILES] {
     let Journey { hectometres, average_whkm, used_watthours, regained_watthours } =
         view.journeys[trip as usize];
     let tenths = |number: u32| Shown::Value(i32::try_from(number).unwrap_or(i32::MAX));
-    let of = |shown, unit| measure(shown, 1, unit, view.language);
+    let of = |shown, unit| measure(NUMBER, shown, 1, unit, view.language);
     // 1 Wh/km is 0.1 kWh/100 km.
     let average = average_whkm.map_or(Shown::Never, Shown::Value);
     [
@@ -208,15 +216,15 @@ fn trip_tiles(view: &View, trip: Trip) -> [Tile; TILES] {
         (words::AVERAGE, of(average, words::KWH_100KM)),
         (words::USED, of(tenths(used_watthours / 100), words::KWH)),
         (words::REGAINED, of(tenths(regained_watthours / 100), words::KWH)),
-        (words::RANGE, range_of(view.range)),
+        (words::RANGE, range_of(NUMBER, view.range)),
         (words::HOLD_TO_RESET, Cell::BLANK),
     ]
 }
 
 fn energy_tiles(view: &View) -> [Tile; TILES] {
-    let of = |shown, decimals, unit| measure(shown, decimals, unit, view.language);
+    let of = |shown, decimals, unit| measure(NUMBER, shown, decimals, unit, view.language);
     let soc = (words::CHARGE, of(view.soc_percent.map(i32::from), 0, words::PERCENT));
-    let range = (words::RANGE, range_of(view.range));
+    let range = (words::RANGE, range_of(NUMBER, view.range));
     let Some(Charging { decivolts, deciamps, hectowatts, minutes_left, .. }) = view.charging else {
         return [
             soc,
@@ -261,12 +269,16 @@ fn line_of(text: Text, unit: Option<Unit>, shown: Shown<i32>, language: Language
         (Some(Unit::Flag), Shown::Value(0)) => said(words::NO, Ink::Secondary),
         (Some(Unit::Flag), Shown::Value(_)) => said(words::YES, Ink::Red),
         (_, Shown::Value(0)) => Cell { content: Content::Short(Short::shown(shown, 0)), ink: Ink::Secondary },
-        // Seven figures have room.
-        (_, Shown::Value(number @ 10_000_000..)) => {
-            let millions = Short::EMPTY.decimal(number / 1_000_000, 0).code(b'M');
-            Cell { content: Content::Short(millions), ink: Ink::Primary }
+        _ => {
+            let whole = Content::Short(Short::shown(shown, 0));
+            let content = match shown {
+                Shown::Value(number) if !TABLE[HEAD + 1].has_room_for(&whole) => {
+                    Content::Short(Short::EMPTY.decimal(number / 1_000_000, 0).code(b'M'))
+                }
+                _ => whole,
+            };
+            Cell { content, ink: ink_of(shown) }
         }
-        _ => Cell { content: Content::Short(Short::shown(shown, 0)), ink: ink_of(shown) },
     };
     Some((text, cell))
 }
@@ -335,13 +347,15 @@ fn head(view: &View, cells: &mut [Cell]) {
         Some(percent) => Some((u32::from(percent.min(100)) * u32::from(BAR.width) / 100) as u16),
         None => None,
     };
-    let low = view.telltales.is_lit(Telltale::LowCharge);
     let head = [
         words(title(view), view.language, Ink::Primary),
         Cell { content: if part.1 > 1 { of(part) } else { Content::Blank }, ink: Ink::Secondary },
         Cell { content: gear, ink: Ink::Accent },
-        measure(view.speed_kmh.map(i32::from), 0, words::KMH, view.language),
-        Cell { content: Content::Bar(lit), ink: if is_charge && low { Ink::Yellow } else { Ink::Accent } },
+        measure(&GRID[3], view.speed_kmh.map(i32::from), 0, words::KMH, view.language),
+        Cell {
+            content: Content::Bar(lit),
+            ink: if is_charge && view.is_charge_low { Ink::Yellow } else { Ink::Accent },
+        },
     ];
     cells.iter_mut().zip(head).for_each(|(cell, new)| *cell = new);
 }
@@ -358,12 +372,53 @@ pub(crate) const fn letter(gear: Gear) -> u8 {
     }
 }
 
+/// Returns whether two views look the same: they may differ in what their page does not show.
+///
+/// Consumption and energy change with nearly every frame and stand on pages of their own: whoever asks this first need not
+/// work a picture out to find that nothing is to be sent.
+pub fn looks_same(view: &View, other: &View) -> bool {
+    let (is_main, is_trip, is_energy) = match view.page {
+        Page::Main => (true, false, false),
+        Page::Trip(_) => (false, true, false),
+        Page::Energy => (false, false, true),
+        Page::Faults(_) | Page::History(_) | Page::Technic(_) => (false, false, false),
+    };
+    let mut seen = *other;
+    if !is_main {
+        seen.motor_rpm = view.motor_rpm;
+        seen.motor_celsius = view.motor_celsius;
+        seen.inverter_celsius = view.inverter_celsius;
+        seen.cell_millivolts = view.cell_millivolts;
+        seen.cell_celsius = view.cell_celsius;
+        seen.odometer_hectometres = view.odometer_hectometres;
+        seen.is_power_limited = view.is_power_limited;
+    }
+    if !is_main && !is_energy {
+        seen.soc_percent = view.soc_percent;
+        seen.is_charge_low = view.is_charge_low;
+        seen.pack_decivolts = view.pack_decivolts;
+        seen.pack_deciamps = view.pack_deciamps;
+        seen.power_hectowatts = view.power_hectowatts;
+    }
+    if !is_main && !is_trip && !is_energy {
+        seen.range = view.range;
+    }
+    if !is_trip {
+        seen.journeys = view.journeys;
+    }
+    if !is_energy {
+        seen.consumption_whkm = view.consumption_whkm;
+        seen.charging = view.charging;
+    }
+    *view == seen
+}
+
 /// Returns the cells of a view's page, in the order of its places.
 pub(crate) fn cells(view: &View) -> [Cell; MOST_CELLS] {
     let mut cells = [Cell::BLANK; MOST_CELLS];
     if matches!(view.page, Page::Main) {
         if view.range != Shown::Never {
-            cells[0] = range_of(view.range);
+            cells[0] = range_of(&MAIN[0], view.range);
         }
         return cells;
     }
@@ -401,9 +456,11 @@ pub(crate) fn cells(view: &View) -> [Cell; MOST_CELLS] {
                 let (at, rest) = rest.split_at(places.min(rest.len()));
                 values = rest;
                 let at = place_of(at).map_or(Content::Blank, Content::Short);
+                // Half a number would be another cell.
+                let at = if EXTREMES[HEAD + 2].has_room_for(&at) { at } else { Content::Blank };
                 row.copy_from_slice(&[
                     words(text, language, Ink::Secondary),
-                    measure(value, decimals, unit, language),
+                    measure(&EXTREMES[HEAD + 1], value, decimals, unit, language),
                     Cell { content: at, ink: Ink::Primary },
                 ]);
             }
@@ -427,8 +484,12 @@ pub(crate) fn cells(view: &View) -> [Cell; MOST_CELLS] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{row::Row, theme::Palette};
+    use cluster::view::Theme;
     extern crate std;
     use protocol_core::link::CanState;
+    use protocol_core::model::Severity;
+    use std::{format, string::String, vec::Vec};
 
     const KINDS: [Kind; 5] = [Kind::Main, Kind::Grid, Kind::List, Kind::Table, Kind::Extremes];
 
@@ -447,6 +508,139 @@ mod tests {
                 for other in &slots[index + 1..] {
                     assert_eq!(slot.area.common(other.area), None, "{kind:?}");
                 }
+            }
+        }
+    }
+
+    /// A colour that nothing is painted in.
+    const UNPAINTED: u16 = 1;
+
+    /// Returns what a cell inks when nothing cuts it, `None` = nothing.
+    fn inked(slot: &Slot, cell: &Cell) -> Option<Area> {
+        let mut all: Option<Area> = None;
+        for y in 0..crate::HEIGHT {
+            let mut pixels = [UNPAINTED; crate::WIDTH as usize];
+            slot.paint(cell, &mut Row { y, left: 0, pixels: &mut pixels }, Palette::of(Theme::Night));
+            let mut columns = (0_u16..).zip(pixels).filter(|(_, pixel)| *pixel != UNPAINTED).map(|(x, _)| x);
+            let Some(first) = columns.next() else { continue };
+            let row = Area::new(first, y, columns.last().unwrap_or(first) + 1 - first, 1);
+            all = Some(all.map_or(row, |all| all.around(row)));
+        }
+        all
+    }
+
+    /// Returns what is wrong with the cells of a view's page.
+    fn misfits(view: &View) -> Vec<String> {
+        let mut misfits = Vec::new();
+        let kind = Kind::of(&view.page);
+        for (place, (slot, cell)) in kind.slots().iter().zip(cells(view)).enumerate() {
+            // A bar and a mark fill their rows.
+            if matches!(cell.content, Content::Bar(_) | Content::Mark(_)) {
+                continue;
+            }
+            let (width, area) = (slot.width(&cell.content), slot.area);
+            let ink = inked(slot, &cell);
+            if width > area.width || ink.is_some_and(|ink| ink.around(area) != area) {
+                misfits.push(format!(
+                    "{kind:?} {place}, {:?}: {:?} takes {width} pixels of {}, {ink:?} of {area:?}",
+                    view.language, cell.content, area.width
+                ));
+            }
+        }
+        misfits
+    }
+
+    /// Every kind of missing, the ends of the type, and what stands on either side of a figure more.
+    fn ends() -> impl Iterator<Item = Shown<i32>> {
+        let powers = (0..10).flat_map(|figures| [10_i32.pow(figures) - 1, 10_i32.pow(figures)]);
+        let values = powers.flat_map(|value| [value, -value]).chain([i32::MIN, i32::MAX]);
+        values.map(Shown::Value).chain([Shown::Never, Shown::Stale, Shown::Invalid])
+    }
+
+    /// Returns views whose every number is `shown`, as far as its type goes.
+    fn pages(shown: Shown<i32>) -> Vec<View> {
+        let clamped = |most: i32| shown.map(|value| value.clamp(0, most));
+        let (natural, small) =
+            (clamped(i32::MAX).value().unwrap_or(0) as u32, clamped(0xFFFF).map(|v| v as u16));
+        let count = small.value().unwrap_or(0);
+        let journey = Journey {
+            // An unsigned number has twice the room.
+            hectometres: if shown == Shown::Value(i32::MAX) { u32::MAX } else { natural },
+            average_whkm: shown.value(),
+            used_watthours: if shown == Shown::Value(i32::MAX) { u32::MAX } else { natural },
+            regained_watthours: natural,
+        };
+        let list = |severity| List {
+            rows: [Some(Listed { severity, text: words::NO, code: Some(count), count, at_s: natural }); ROWS],
+            // A list of 99 parts has 396 faults.
+            position: 99,
+            count: 99,
+        };
+        let sheet = |&part: &Part| {
+            Page::Technic(Sheet { part, cells: [shown; cluster::page::CELLS], position: 99, count: 99 })
+        };
+        let trips = [Page::Main, Page::Trip(Trip::A), Page::Trip(Trip::B), Page::Energy];
+        let lists = [Page::Faults(list(Severity::Stop)), Page::History(list(Severity::Warn))];
+        let charging = [Plug::Inserted, Plug::Charging, Plug::Complete, Plug::Fault].map(|plug| {
+            Some(Charging {
+                plug,
+                decivolts: shown,
+                deciamps: shown,
+                hectowatts: shown,
+                minutes_left: small.value(),
+            })
+        });
+        let pages = trips.into_iter().chain(lists).chain(Part::ALL.iter().map(sheet));
+        let mut views = Vec::new();
+        for page in pages {
+            for language in [Language::Chinese, Language::English] {
+                for is_estimated in [false, true] {
+                    for charging in charging.into_iter().chain([None]) {
+                        views.push(View {
+                            page,
+                            language,
+                            charging,
+                            speed_kmh: small,
+                            gear: Some(Gear::D),
+                            soc_percent: clamped(255).map(|value| value as u8),
+                            pack_decivolts: shown,
+                            pack_deciamps: shown,
+                            power_hectowatts: shown,
+                            consumption_whkm: shown,
+                            range: small.map(|km| Range { km, is_estimated }),
+                            journeys: [journey; 2],
+                            ..View::default()
+                        });
+                        if page != Page::Energy {
+                            break;
+                        }
+                    }
+                }
+            }
+        }
+        views
+    }
+
+    #[test]
+    fn every_cell_of_every_page_has_room_for_the_ends_of_its_value() {
+        let misfits: Vec<_> = ends().flat_map(pages).flat_map(|view| misfits(&view)).collect();
+        assert!(misfits.is_empty(), "{} cells are cut:\n{}", misfits.len(), misfits.join("\n"));
+    }
+
+    #[test]
+    fn every_fault_has_room_in_a_list_beside_its_code() {
+        let slot = &LIST[HEAD + 1];
+        let own = cluster::texts::ALL.iter().map(|text| (text.zh, text.en, None));
+        let faults = protocol_core::generated::VEHICLES.iter().flat_map(|vehicle| vehicle.faults);
+        for (zh, en, code) in own.chain(faults.map(|fault| (fault.zh, fault.en, Some(fault.code)))) {
+            for text in [zh, en] {
+                let content = Content::Coded(text, code);
+                assert!(
+                    slot.has_room_for(&content),
+                    "{text} {code:?} takes {} of {} pixels: shorten it",
+                    slot.width(&content),
+                    slot.area.width
+                );
             }
         }
     }
@@ -512,8 +706,7 @@ mod tests {
     #[test]
     fn times_are_hours_minutes_and_seconds() {
         let row = |at_s, count| {
-            let listed =
-                Listed { severity: protocol_core::Severity::Warn, text: words::NO, code: None, count, at_s };
+            let listed = Listed { severity: Severity::Warn, text: words::NO, code: None, count, at_s };
             detail(&listed)
         };
         let text = |text: &str| {
@@ -523,6 +716,7 @@ mod tests {
         assert_eq!(row(3_725, 1), text("+1:02:05"));
         assert_eq!(row(3_725, 12), text("+1:02:05  ×12"));
         let longest = row(u32::MAX, u16::MAX);
+        assert_eq!(longest, text("+1193046:28:15  ×65535"));
         let slot = &LIST[HEAD + 2];
         assert!(slot.width(&Content::Short(longest)) <= slot.area.width);
     }

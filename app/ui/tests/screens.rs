@@ -101,6 +101,7 @@ fn stop_view() -> View {
 fn warn_view() -> View {
     View {
         telltales: lamps(&[Telltale::Ready, Telltale::LowBeam, Telltale::LowCharge]),
+        is_charge_low: true,
         soc_percent: Shown::Value(12),
         severity: Severity::Warn,
         line: Some(line(Severity::Warn, "剩余电量低", "Charge is low", 4, 1, 1)),
@@ -110,6 +111,20 @@ fn warn_view() -> View {
 
 fn bulb_check_view() -> View {
     View { telltales: Telltales::ALL, ..View::default() }
+}
+
+/// The vehicle speaks before the check is over.
+fn bulb_check_known_view() -> View {
+    View {
+        speed_kmh: Shown::Value(0),
+        gear: Some(Gear::P),
+        soc_percent: Shown::Value(80),
+        power_hectowatts: Shown::Value(4),
+        pack_deciamps: Shown::Value(8),
+        motor_rpm: Shown::Value(0),
+        telltales: Telltales::ALL,
+        ..common::driving()
+    }
 }
 
 fn fast_view() -> View {
@@ -141,6 +156,7 @@ fn limp_view() -> View {
     View {
         speed_kmh: Shown::Value(23),
         telltales: lamps(&[Telltale::Ready, Telltale::PowerLimited, Telltale::NoCommunication]),
+        is_power_limited: true,
         severity: Severity::Derate,
         line: Some(Line { severity: Severity::Derate, text: texts::LIMP, code: None, position: 1, count: 2 }),
         limp: Some(Limp { limit_deciamps: Some(540) }),
@@ -154,6 +170,8 @@ fn technic_view(place: usize) -> View {
 
 screens! {
     bulb_check: bulb_check_view();
+    /// Every lamp is lit, and nothing else says what is not true: the charge is not low, no power is limited.
+    bulb_check_known: bulb_check_known_view();
     never_seen: View::default();
     driving: common::driving();
     driving_en: english(common::driving());
@@ -209,6 +227,7 @@ screens! {
     warn_day: day(warn_view());
     derate: View {
         telltales: lamps(&[Telltale::Ready, Telltale::PowerLimited, Telltale::MotorFault]),
+        is_power_limited: true,
         motor_celsius: Shown::Value(142),
         severity: Severity::Derate,
         line: Some(line(Severity::Derate, "电机过热 功率受限", "Motor too hot: power is limited", 215, 1, 2)),
@@ -216,6 +235,7 @@ screens! {
     };
     derate_en: english(View {
         telltales: lamps(&[Telltale::Ready, Telltale::PowerLimited, Telltale::MotorFault]),
+        is_power_limited: true,
         severity: Severity::Derate,
         line: Some(line(Severity::Derate, "电机过热 功率受限", "Motor too hot: power is limited", 215, 1, 2)),
         ..common::driving()
@@ -281,6 +301,16 @@ screens! {
     ));
     energy: on(Page::Energy, travelled());
     energy_en: english(on(Page::Energy, travelled()));
+    /// A number that has no room beside its unit loses its decimals, not a part of the unit.
+    energy_regeneration: on(
+        Page::Energy,
+        View {
+            pack_deciamps: Shown::Value(-3_200),
+            power_hectowatts: Shown::Value(-1_718),
+            consumption_whkm: Shown::Value(-1_315),
+            ..travelled()
+        },
+    );
     energy_missing: on(Page::Energy, View { range: Shown::Stale, consumption_whkm: Shown::Stale, ..missing::<true>(travelled()) });
     plugged_en: english(plugged(Plug::Inserted));
     plug_charging: plugged(Plug::Charging);

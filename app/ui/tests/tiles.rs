@@ -2,25 +2,25 @@
 
 mod common;
 
-use cluster::View;
-use common::{Panel, driving, rectangle};
+use cluster::{Page, Telltales, Trip, View};
+use common::{Panel, day, english, list, missing, on, rectangle, sheets, travelled};
 use embedded_graphics_core::{
     Pixel,
     draw_target::DrawTarget,
     geometry::Point,
     pixelcolor::{Rgb565, raw::RawU16},
 };
-use ui::{Screen, TILE_PIXELS, Tile, WIDTH};
+use ui::{HEIGHT, Screen, TILE_PIXELS, Tile, WIDTH};
 
 fn colour(word: u16) -> Rgb565 {
     Rgb565::from(RawU16::new(word))
 }
 
-#[test]
-fn all_ways_to_paint_a_tile_give_the_same_pixels() {
-    let expected = Panel::of(&driving());
+/// Paints everything that a view needs in every way and holds the ways against each other; returns the pixels seen.
+fn paint_in_every_way(view: &View) -> usize {
+    let expected = Panel::of(view);
     let mut screen = Screen::new();
-    screen.update(&driving());
+    screen.update(view);
     let (mut words, mut bytes, mut rendered) =
         ([0_u16; TILE_PIXELS], [[0_u8; 2]; TILE_PIXELS], [0_u16; TILE_PIXELS]);
     let mut seen = 0;
@@ -44,7 +44,36 @@ fn all_ways_to_paint_a_tile_give_the_same_pixels() {
             seen += 1;
         }
     }
-    assert_eq!(seen, expected.pixels.len());
+    seen
+}
+
+#[test]
+fn memory_and_a_draw_target_get_the_same_pixels_on_every_page() {
+    let pages = [Page::Main, Page::Trip(Trip::B), Page::Energy, Page::Faults(list())];
+    for page in pages.into_iter().chain(sheets().map(Page::Technic)) {
+        let lit = View { telltales: Telltales::ALL, is_power_limited: true, ..on(page, travelled()) };
+        for view in [lit, day(english(lit)), missing::<true>(lit)] {
+            assert_eq!(paint_in_every_way(&view), usize::from(WIDTH) * usize::from(HEIGHT), "{page:?}");
+        }
+    }
+}
+
+/// The parts of an update are small and have any width, odd ones too.
+#[test]
+fn memory_and_a_draw_target_get_the_same_parts() {
+    let mut screen = Screen::new();
+    screen.update(&View::default());
+    while screen.next_tile(TILE_PIXELS).is_some() {}
+    screen.update(&travelled());
+    let (mut words, mut rendered) = ([0_u16; TILE_PIXELS], [0_u16; TILE_PIXELS]);
+    let mut parts = 0;
+    while let Some(area) = screen.next_tile(TILE_PIXELS) {
+        let mut tile = Tile::new(&mut words, area).unwrap();
+        screen.draw(&area, &mut tile).unwrap();
+        assert_eq!(Some(tile.pixels()), screen.render(&area, &mut rendered), "{area:?}");
+        parts += 1;
+    }
+    assert!(parts > 20, "{parts}");
 }
 
 #[test]

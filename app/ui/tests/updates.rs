@@ -38,6 +38,15 @@ impl Random {
     /// Changes some of the view, or all of it.
     fn change(&mut self, view: &mut View) {
         let chance = [1, 3, 12][self.below(3) as usize];
+        self.change_one_in(chance, view);
+    }
+
+    /// Changes one or two fields, or none.
+    fn nudge(&mut self, view: &mut View) {
+        self.change_one_in(40, view);
+    }
+
+    fn change_one_in(&mut self, chance: u32, view: &mut View) {
         macro_rules! maybe {
             ($field:expr, $value:expr) => {
                 if self.one_in(chance) {
@@ -69,6 +78,8 @@ impl Random {
                 view.telltales.set(lamp, self.one_in(2));
             }
         }
+        maybe!(view.is_power_limited, self.one_in(2));
+        maybe!(view.is_charge_low, self.one_in(2));
         let texts = [
             ("绝缘故障", "Insulation fault"),
             ("电机过热 功率受限", "Motor too hot: power is limited"),
@@ -205,6 +216,51 @@ fn any_region_can_be_painted_over_garbage() {
         }
         panel.receive_tile(&screen, area);
         assert_eq!(panel.difference(&whole), None, "{area:?}");
+    }
+}
+
+#[test]
+fn views_that_look_the_same_have_the_same_picture() {
+    let (mut random, mut view) = (Random(11), View::default());
+    let (mut same, mut other) = (0, 0);
+    for round in 0..20_000 {
+        let before = view;
+        // Few fields at a time, on any page.
+        random.nudge(&mut view);
+        if ui::looks_same(&before, &view) {
+            same += 1;
+            let mut screen = Screen::new();
+            screen.update(&before);
+            while screen.next_tile(TILE_PIXELS).is_some() {}
+            screen.update(&view);
+            assert_eq!(screen.next_tile(TILE_PIXELS), None, "round {round}: {before:?} and {view:?}");
+        } else {
+            other += 1;
+        }
+        if random.one_in(50) {
+            random.change(&mut view);
+        }
+    }
+    assert!(same > 2_000 && other > 2_000, "{same} and {other}");
+}
+
+#[test]
+fn what_a_page_does_not_show_makes_no_view_look_different() {
+    let driven = View {
+        journeys: [Journey { used_watthours: 1, ..Journey::default() }; 2],
+        consumption_whkm: Shown::Value(999),
+        ..travelled()
+    };
+    assert!(ui::looks_same(&travelled(), &driven));
+    let pages = [Page::Main, Page::Trip(Trip::A), Page::Energy, Page::Faults(list())];
+    let differ = pages.map(|page| !ui::looks_same(&on(page, travelled()), &on(page, driven)));
+    assert_eq!(differ, [false, true, true, false]);
+    let faster = View { motor_rpm: Shown::Value(9_000), ..travelled() };
+    let differ = pages.map(|page| !ui::looks_same(&on(page, travelled()), &on(page, faster)));
+    assert_eq!(differ, [true, false, false, false]);
+    for page in pages {
+        let faster = View { speed_kmh: Shown::Value(99), ..travelled() };
+        assert!(!ui::looks_same(&on(page, travelled()), &on(page, faster)), "{page:?}");
     }
 }
 
@@ -371,6 +427,43 @@ fn bus_missing_values_differ_from_zero_and_from_each_other() {
             }
         }
     }
+}
+
+/// Where lamps are: two rows from side to side.
+const LAMP_ROWS: [(i32, i32, u32, u32); 2] = [(0, 2, 320, 22), (0, 189, 320, 22)];
+
+#[test]
+fn the_lamps_check_lights_lamps_and_changes_no_word_and_no_bar() {
+    let page = |page| View { telltales: Telltales::NONE, ..on(page, driving()) };
+    for dark in [page(Page::Main), page(Page::Energy), page(Page::Trip(Trip::A))] {
+        for dark in [dark, english(dark)] {
+            let lit = View { telltales: Telltales::ALL, ..dark };
+            let (dark, lit) = (Panel::of(&dark), Panel::of(&lit));
+            for (at, _) in dark.pixels.iter().zip(&lit.pixels).enumerate().filter(|(_, (a, b))| a != b) {
+                let (x, y) = ((at % usize::from(WIDTH)) as i32, (at / usize::from(WIDTH)) as i32);
+                let is_lamp = LAMP_ROWS.iter().any(|&(left, top, width, height)| {
+                    rectangle(left, top, width, height)
+                        .contains(embedded_graphics_core::geometry::Point::new(x, y))
+                });
+                assert!(is_lamp, "({x}, {y}) is no lamp and changes with the check");
+            }
+        }
+    }
+}
+
+#[test]
+fn bus_r024_and_bus_r025_a_limit_has_its_words_without_its_lamp() {
+    let windows = [(250, 62, 64, 15), (240, 90, 80, 60)];
+    let limited = View { is_power_limited: true, ..driving() };
+    assert_eq!(changed(&driving(), &limited, &windows), [true, false]);
+}
+
+#[test]
+fn a_low_charge_is_yellow_in_the_bar_of_the_main_page_and_of_the_charge() {
+    let low = |view| View { is_charge_low: true, ..view };
+    assert_eq!(changed(&driving(), &low(driving()), &[(6, 55, 68, 6), (6, 64, 68, 120)]), [true, false]);
+    let energy = on(Page::Energy, driving());
+    assert_eq!(changed(&energy, &low(energy), &[(10, 53, 294, 3), (10, 59, 294, 120)]), [true, false]);
 }
 
 #[test]

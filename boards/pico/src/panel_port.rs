@@ -1,8 +1,9 @@
 //! SPI1, DMA channel 0 and the panel's pins: one tile at a time leaves without the CPU.
 //!
 //! Life of a tile: [`PanelPort::start`] takes its buffer and opens the window; the DMA feeds SPI1; `DMA_IRQ_0` fires
-//! ([`acknowledge`]); [`PanelPort::finish`] closes the window and gives the buffer back. Pixels go as 16-bit frames in
-//! SPI mode 3: the PL022 pauses two clocks after every frame in mode 0, which would cost an eighth of the time.
+//! ([`acknowledge`]); [`PanelPort::finish`] gives the buffer back. The panel stays selected from the first tile of a
+//! picture until [`PanelPort::close`]: on the wire, one picture is one transaction. Pixels go as 16-bit frames in SPI
+//! mode 3: the PL022 pauses two clocks after every frame in mode 0, which would cost an eighth of the time.
 //! Source: RP2040 datasheet 2.5 (DMA) and 4.4.3 (PL022).
 
 use core::convert::Infallible;
@@ -168,7 +169,7 @@ impl PanelPort {
         self.tile.is_some()
     }
 
-    /// Closes the window and gives the buffer back, `None` while the DMA runs or when there is no tile.
+    /// Gives the buffer back, `None` while the DMA runs or when there is no tile.
     pub fn finish(&mut self) -> Option<&'static mut [u16]> {
         if self.channel.ch().ch_ctrl_trig().read().busy().bit_is_set() {
             return None;
@@ -176,8 +177,12 @@ impl PanelPort {
         let tile = self.tile.take()?;
         compiler_fence(Ordering::SeqCst);
         self.link.bus().frame(8);
-        let Ok(()) = self.link.close();
         Some(tile)
+    }
+
+    /// Deselects the panel after the last tile of a picture.
+    pub fn close(&mut self) {
+        let Ok(()) = self.link.close();
     }
 }
 

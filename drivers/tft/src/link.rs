@@ -114,6 +114,8 @@ where
 
     /// Opens `window` for writing; the panel stays selected and takes pixels, left to right, top to bottom.
     ///
+    /// Another window may follow without [`Self::close`] between them, after the last word has left the bus.
+    ///
     /// # Errors
     /// When bus or pins fail.
     pub fn open(&mut self, window: Window) -> Result<(), LinkError<BUS::Error, P>> {

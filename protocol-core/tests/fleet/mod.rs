@@ -5,7 +5,7 @@
 use protocol_core::codec::MessageInfo;
 use protocol_core::generated::{MESSAGES, VEHICLES};
 use protocol_core::vehicle::Vehicle;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[path = "../hostile/hostile.rs"]
 #[rustfmt::skip]

@@ -21,6 +21,26 @@ fn all_lamps_are_lit_for_three_seconds_after_start() {
 }
 
 #[test]
+fn the_lamps_check_says_nothing_of_power_and_charge_and_hides_nothing_of_them() {
+    let facts = |drive: &Drive| {
+        let view = drive.view();
+        assert_eq!(view.telltales, Telltales::ALL);
+        (view.is_power_limited, view.is_charge_low)
+    };
+    let mut drive = Drive::silent();
+    drive.run(1_000);
+    assert_eq!(facts(&drive), (false, false));
+    drive.keep(DRIVE, [3, 0, 0, 0b0100, 0, 0, 0, 0]);
+    drive.run(1_000);
+    assert_eq!(facts(&drive), (true, false), "bus_r024");
+    let mut low = PACK_WELL;
+    low[4] = 20;
+    drive.keep(PACK, low);
+    drive.run(500);
+    assert_eq!(facts(&drive), (true, true), "bus_r096");
+}
+
+#[test]
 fn a_real_fault_during_the_bulb_check_stays_lit_after_it() {
     let mut drive = Drive::silent();
     drive.keep(DRIVE, [3, 0, 0, 0b10, 0, 0, 0, 0]);

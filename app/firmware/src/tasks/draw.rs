@@ -18,16 +18,16 @@ use crate::app::{Mono, draw::Context};
 /// Memory of one tile: pixels as the panel wants them.
 pub type Tile = &'static mut [u16];
 
-/// Pictures finished since start, and the longest time that one took. Only `draw` writes them.
+/// Views of which the panel shows everything, and the longest time that one took. Only `draw` writes them.
 static PICTURES: AtomicU32 = AtomicU32::new(0);
 static LONGEST_US: AtomicU32 = AtomicU32::new(0);
 
-/// Returns a number that changes with every finished picture.
+/// Returns a number that changes with every view that the panel has come to show.
 pub fn progress() -> u32 {
     PICTURES.load(Ordering::Relaxed)
 }
 
-/// Returns the pictures finished since start and the longest time that one took, in microseconds.
+/// Returns the views shown since start and the longest time that one took, in microseconds.
 pub fn measured() -> (u32, u32) {
     (PICTURES.load(Ordering::Relaxed), LONGEST_US.load(Ordering::Relaxed))
 }
@@ -41,25 +41,29 @@ struct Brush<'a> {
 }
 
 impl Brush<'_> {
-    /// Brings the panel to `view`.
+    /// Brings the panel to `view`: one picture, during which the panel stays selected.
     async fn paint(&mut self, screen: &mut Screen, view: &View) {
         let start = now_us();
         screen.update(view);
         while let Some(area) = screen.next_tile(ui::TILE_PIXELS) {
             let Some(tile) = self.free_tile().await else { break };
-            if let Some(mut canvas) = ui::Tile::new(&mut *tile, area) {
-                let Ok(()) = screen.draw(&area, &mut canvas);
-            }
+            let is_painted = screen.render(&area, tile).is_some();
             self.settle().await;
             let returned = match Window::try_from(area) {
-                Ok(window) => self.panel.start(window, tile).err(),
-                Err(_) => Some(tile),
+                Ok(window) if is_painted => self.panel.start(window, tile).err(),
+                _ => Some(tile),
             };
             self.keep(returned);
         }
         self.settle().await;
+        self.panel.close();
         let took = u32::try_from(now_us() - start).unwrap_or(u32::MAX);
         LONGEST_US.store(LONGEST_US.load(Ordering::Relaxed).max(took), Ordering::Relaxed);
+        self.confirm();
+    }
+
+    /// Says that the panel shows the latest view.
+    fn confirm(&self) {
         PICTURES.store(PICTURES.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
     }
 
@@ -70,7 +74,7 @@ impl Brush<'_> {
         self.spare.iter_mut().find_map(Option::take)
     }
 
-    /// Waits for the tile that is on its way, if there is one. A DMA that never ends stops the watchdog's food.
+    /// Waits for the tile that is on its way, if there is one. The watchdog is fed only while the DMA completes.
     async fn settle(&mut self) {
         while self.panel.is_open() {
             match self.panel.finish() {
@@ -128,7 +132,11 @@ pub async fn draw(cx: Context<'_>) {
 
     loop {
         shown.lock(|shown| *shown = view);
-        view = local.views_out.wait().await;
-        brush.paint(&mut screen, &view).await;
+        let before = core::mem::replace(&mut view, local.views_out.wait().await);
+        if ui::looks_same(&before, &view) {
+            brush.confirm();
+        } else {
+            brush.paint(&mut screen, &view).await;
+        }
     }
 }

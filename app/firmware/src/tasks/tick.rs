@@ -1,6 +1,8 @@
-//! Every 10 ms: frames in, the cluster's logic, frames and sounds out; feeds the watchdog.
+//! Every 10 ms: frames in, the cluster's logic, frames, sounds and views out.
+//!
+//! A view goes out as soon as it looks different from the last one. Feeds the watchdog.
 
-use cluster::{Conditions, Inputs};
+use cluster::{Conditions, Inputs, View};
 use heapless::Deque;
 use pico::{Buzzer, Led, now_us};
 use protocol_core::{CanFrame, Millis};
@@ -17,8 +19,8 @@ use crate::telemetry;
 
 /// Period of the tick in milliseconds.
 const PERIOD_MS: u64 = 10;
-/// Ticks between two views: 20 pictures a second.
-const VIEW_TICKS: u32 = 5;
+/// Ticks between two views that go out without a change: `draw` answers each, and so keeps the watchdog fed.
+const LOOK_TICKS: u32 = 5;
 /// Ticks between two looks at the CAN controller.
 const SUPERVISE_TICKS: u32 = 10;
 /// Ticks that `draw` may take for one picture before the watchdog is no longer fed: 500 ms, twice the longest.
@@ -58,6 +60,8 @@ pub async fn tick(mut cx: Context<'_>) {
     let mut next = Mono::now();
     let mut ticks: u32 = 0;
     let mut conditions = Conditions::default();
+    // The view that went out last.
+    let mut last = View::default();
     loop {
         let now = Millis(now_us() / 1_000);
         let inputs = Inputs { conditions, ..local.wires.sample() };
@@ -98,14 +102,18 @@ pub async fn tick(mut cx: Context<'_>) {
             cx.shared.can.lock(|can| can.finish(outcome));
         }
 
-        if ticks.is_multiple_of(VIEW_TICKS) {
-            let view = cx.shared.cluster.lock(|cluster| cluster.view(now));
+        let is_due = ticks.is_multiple_of(LOOK_TICKS);
+        if is_due {
             let status = cx.shared.can.lock(|can| can.status());
             local.wires.look(telemetry::controller(status));
             let answers = status.controller.is_some();
             conditions = conditions::gather(answers, local.recognition, cx.shared.boot, now);
+        }
+        let view = cx.shared.cluster.lock(|cluster| cluster.view(now));
+        if is_due || !ui::looks_same(&last, &view) {
             show_life(local.led, view.heartbeat);
             local.views_in.write(view);
+            last = view;
         }
         local.watch.tick();
         ticks = ticks.wrapping_add(1);

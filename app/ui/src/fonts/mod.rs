@@ -19,7 +19,7 @@ pub(crate) const CROSS: u8 = 3;
 pub(crate) struct Glyph {
     code: u16,
     /// From the pen to the box, pixels.
-    left: i8,
+    pub(crate) left: i8,
     /// From the top of the capitals to the box, pixels, down.
     top: i8,
     width: u8,

@@ -21,7 +21,8 @@ pub(super) const MV: u8 = 1 << 5;
 #[derive(Clone, Copy, Debug)]
 struct Cell {
     colour: u16,
-    /// The colour before the last change.
+    /// The last picture that changed it, and the colour it had before that picture.
+    changed_in: u64,
     before: u16,
     changed_at: Nanos,
     written_at: Option<Nanos>,
@@ -73,22 +74,29 @@ impl Layout {
 #[derive(Clone, Debug)]
 pub(super) struct Gram {
     cells: Vec<Cell>,
-    flicker_span: Nanos,
+    /// Number of the picture that is being written.
+    picture: u64,
+    changed: u64,
     flickered: u64,
 }
 
 impl Gram {
     /// A memory full of noise, the same in every run: pixels that nobody has drawn must show.
-    pub(super) fn new(flicker_span: Nanos) -> Self {
+    pub(super) fn new() -> Self {
         let mut noise = 0x0009_3417_u32;
         let cells = (0..usize::from(COLUMNS) * usize::from(PAGES))
             .map(|_| {
                 noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                 let colour = (noise >> 16) as u16;
-                Cell { colour, before: colour, changed_at: Nanos::ZERO, written_at: None }
+                Cell { colour, changed_in: 0, before: colour, changed_at: Nanos::ZERO, written_at: None }
             })
             .collect();
-        Self { cells, flicker_span, flickered: 0 }
+        Self { cells, picture: 0, changed: 0, flickered: 0 }
+    }
+
+    /// What is written from now on belongs to another picture.
+    pub(super) fn begin_picture(&mut self) {
+        self.picture += 1;
     }
 
     /// Writes one pixel; addresses outside the memory are ignored.
@@ -96,12 +104,13 @@ impl Gram {
     pub(super) fn write(&mut self, now: Nanos, layout: &Layout, column: u16, page: u16, colour: u16) {
         let Some(cell) = self.cells.get_mut(layout.index(column, page)) else { return };
         if cell.colour != colour {
-            // A -> X -> A: the eye saw X for a moment.
-            let returns = cell.before == colour && cell.written_at.is_some();
-            if returns && now.since(cell.changed_at) <= self.flicker_span {
+            if cell.changed_in != self.picture {
+                (cell.changed_in, cell.before) = (self.picture, cell.colour);
+            } else if cell.before == colour {
+                // A -> X -> A: neither the picture before nor this one has X, and the eye saw it.
                 self.flickered += 1;
             }
-            cell.before = cell.colour;
+            self.changed += 1;
             cell.colour = colour;
             cell.changed_at = now;
         }
@@ -133,7 +142,18 @@ impl Gram {
         self.cells.iter().filter(|cell| cell.written_at.is_none()).count()
     }
 
-    /// Pixel changes A -> X -> A within the flicker span.
+    /// When a pixel was last changed; `None` if it was never written.
+    pub(super) fn changed_at(&self, layout: &Layout, column: u16, page: u16) -> Option<Nanos> {
+        let cell = self.cells.get(layout.index(column, page))?;
+        cell.written_at.map(|_| cell.changed_at)
+    }
+
+    /// Writes that gave a pixel another colour.
+    pub(super) fn changed(&self) -> u64 {
+        self.changed
+    }
+
+    /// Pixels that left their colour and came back to it within one picture.
     pub(super) fn flickered(&self) -> u64 {
         self.flickered
     }

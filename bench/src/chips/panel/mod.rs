@@ -66,8 +66,6 @@ pub struct Config {
     pub bgr_glass: bool,
     /// The glass is normally black (IPS): INVON must be sent for true colours.
     pub inverted_glass: bool,
-    /// A -> X -> A within this span counts as flicker.
-    pub flicker_span: Nanos,
 }
 
 impl Config {
@@ -77,7 +75,6 @@ impl Config {
         upright_madctl: gram::MV,
         bgr_glass: true,
         inverted_glass: false,
-        flicker_span: Nanos::from_millis(100),
     };
 
     /// The common 2.0" ST7789V IPS module: MV and MX upright, RGB glass, inverted.
@@ -86,7 +83,6 @@ impl Config {
         upright_madctl: gram::MV | gram::MX,
         bgr_glass: false,
         inverted_glass: true,
-        flicker_span: Nanos::from_millis(100),
     };
 }
 
@@ -163,7 +159,7 @@ impl Panel {
     pub fn new(config: Config, now: Nanos) -> Self {
         let mut panel = Self {
             config,
-            gram: Gram::new(config.flicker_span),
+            gram: Gram::new(),
             selected: false,
             data: false,
             reset: None,
@@ -199,6 +195,7 @@ impl Panel {
     pub fn select(&mut self, _now: Nanos, selected: bool) {
         if selected && !self.selected {
             self.counters.transactions += 1;
+            self.gram.begin_picture();
         }
         self.selected = selected;
     }
@@ -314,7 +311,21 @@ impl Panel {
         self.gram.undrawn()
     }
 
-    /// Pixels that changed from one colour to another and back within the flicker span.
+    /// When the upright pixel `x`, `y` was last given another colour; `None` if it was never written.
+    pub fn changed_at(&self, x: u16, y: u16) -> Option<Nanos> {
+        self.gram.changed_at(&Layout::of(self.config.upright_madctl), x, y)
+    }
+
+    /// Pixels that were given another colour, each as often as it was.
+    pub fn changed_pixels(&self) -> u64 {
+        self.gram.changed()
+    }
+
+    /// Pixels that left their colour and came back to it within one picture.
+    ///
+    /// A picture is what is written while CS is low: whoever draws keeps it low from the first pixel of a picture to the
+    /// last. The picture before and the picture after have the same colour there, and the eye saw another between them:
+    /// something was cleared first, or painted twice. What moves from picture to picture is not counted.
     pub fn flickered_pixels(&self) -> u64 {
         self.gram.flickered()
     }
