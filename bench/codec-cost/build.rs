@@ -6,16 +6,16 @@ mod mix;
 mod text;
 
 use dbc_codegen::{Config, FeatureConfig};
-use protocol_core::generated::{bus, c5ev, jiulong};
+use protocol_core::generated::{citybus, c5ev, jiulong};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-const VEHICLE: &str = "../../vehicles/bus";
+const VEHICLE: &str = "../../vehicles/citybus";
 
 fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
-    let dbc = format!("{VEHICLE}/bus.dbc");
+    let dbc = format!("{VEHICLE}/citybus.dbc");
     let toml = format!("{VEHICLE}/vehicle.toml");
     for input in [&dbc, &toml, "link.x", "build.rs", "build"] {
         println!("cargo:rerun-if-changed={input}");
@@ -26,7 +26,7 @@ fn main() {
     for manner in text::MANNERS {
         write(&format!("{}.rs", manner.name), text::rust(&mix, manner));
     }
-    let vehicles = [("bus", bus::MESSAGES), ("c5ev", c5ev::MESSAGES), ("jiulong", jiulong::MESSAGES)];
+    let vehicles = [("citybus", citybus::MESSAGES), ("c5ev", c5ev::MESSAGES), ("jiulong", jiulong::MESSAGES)];
     write(
         "every.rs",
         vehicles.iter().map(|(vehicle, messages)| text::every_message(vehicle, messages)).collect(),
@@ -44,7 +44,7 @@ fn main() {
 }
 
 fn dbc_codegen(dbc: &str) -> String {
-    let config = Config::builder().dbc_name("bus").dbc_content(dbc).impl_debug(FeatureConfig::Never).build();
+    let config = Config::builder().dbc_name("citybus").dbc_content(dbc).impl_debug(FeatureConfig::Never).build();
     config.generate().expect("dbc-codegen accepts the DBC")
 }
 

@@ -9,7 +9,7 @@ use crate::log::Log;
 use crate::rig::{Rig, RigOptions};
 use crate::time::Nanos;
 use anyhow::{Context, Result, bail};
-use protocol_core::generated::bus::{Bms1, Vcu1, id};
+use protocol_core::generated::citybus::{Bms1, Vcu1, id};
 use protocol_core::{CanFrame, CanId};
 use std::path::Path;
 

@@ -478,7 +478,7 @@ const SWITCHES: [Switch; 7] = [
     switch(4, |world| world.body.front_door),
     switch(5, |world| world.body.rear_door),
     switch(6, |world| world.driver.seat_empty),
-    switch(7, |world| world.driver.hand_brake),
+    switch(7, |world| world.driver.parking_brake),
     switch(14, |world| world.body.smoke),
     switch(21, |world| world.body.turn_left),
     switch(22, |world| world.body.turn_right),
@@ -506,7 +506,7 @@ fn at_pin(volts: f64) -> u32 {
 /// Only the bus brakes with air; elsewhere nothing is connected.
 fn air(world: &World, mpa: f64) -> u32 {
     let volts = (AIR_ZERO_VOLTS + mpa * AIR_VOLTS_PER_MPA) / AIR_DIVIDER;
-    if world.kind == Kind::Bus { at_pin(volts) } else { 0 }
+    if world.kind == Kind::Citybus { at_pin(volts) } else { 0 }
 }
 
 fn pico_wiring() -> Wiring {

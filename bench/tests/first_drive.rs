@@ -10,7 +10,7 @@ use cluster::{Cluster, Inputs};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use protocol_core::generated::bus::VEHICLE;
+use protocol_core::generated::citybus::VEHICLE;
 use protocol_core::link::{Health, Record, Sample, Screen};
 use protocol_core::{CanFrame, CanId, Millis, Value};
 use std::collections::HashMap;
@@ -25,7 +25,7 @@ const BOOT: Nanos = Nanos::from_millis(500);
 const SETTLED: Nanos = Nanos::from_millis(230);
 
 fn city() -> PathBuf {
-    surroundings::root().join("vehicles/bus/captures/city.log")
+    surroundings::root().join("vehicles/citybus/captures/city.log")
 }
 
 /// What a drive along the whole of city.log left behind.
@@ -102,7 +102,7 @@ fn cantools(log: &Path) -> Option<HashMap<String, f64>> {
     let python = need::witness("the firmware's values of the city drive")?;
     let output = Command::new(python)
         .arg(root.join("tools/witness/last_values.py"))
-        .arg(root.join("vehicles/bus/bus.dbc"))
+        .arg(root.join("vehicles/citybus/citybus.dbc"))
         .arg(log)
         .output()
         .unwrap();

@@ -43,7 +43,7 @@ const SPEED: i32 = 88;
 
 /// A vehicle that does not send its speed.
 fn vehicle() -> VirtualVehicle {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     vehicle.set(&format!("lost.{LOST}"), Some(1.0)).unwrap();
     for (control, setting, ..) in TOLD {
         vehicle.set(control, Some(*setting)).unwrap();
@@ -66,7 +66,7 @@ fn client(python: &Path, terminal: &Path) -> Child {
     Command::new(python)
         .arg(root().join("tools/witness/join_bus.py"))
         .arg(terminal)
-        .arg(root().join("vehicles/bus/bus.dbc"))
+        .arg(root().join("vehicles/citybus/citybus.dbc"))
         .args(arguments)
         .args([format!("vehicle_speed={SPEED}"), "ready=1".into()])
         .stdout(Stdio::piped())

@@ -11,7 +11,7 @@ use std::path::Path;
 const CHANGES: usize = 60;
 
 fn held(change: Change, traffic: Traffic, median_ms: u64, worst_ms: u64) {
-    let city = Path::new(env!("CARGO_MANIFEST_DIR")).join("../vehicles/bus/captures/city.log");
+    let city = Path::new(env!("CARGO_MANIFEST_DIR")).join("../vehicles/citybus/captures/city.log");
     let city = Log::read_file(&city).unwrap();
     let times = measure(&firmware::elf(), &city, change, traffic, CHANGES).unwrap();
     let (median, worst) = (times.median(), times.worst());

@@ -11,7 +11,7 @@ use protocol_core::link::{Screen, text_id};
 use std::path::Path;
 
 fn city() -> Log {
-    let path = surroundings::root().join("vehicles/bus/captures/city.log");
+    let path = surroundings::root().join("vehicles/citybus/captures/city.log");
     Log::read_file(&path).unwrap()
 }
 

@@ -31,7 +31,7 @@ struct Visit {
 fn bench_with(vehicle: Option<Kind>) -> anyhow::Result<Rig> {
     let Some(kind) = vehicle else {
         let mut rig = Rig::new(&firmware::elf(), &RigOptions::default())?;
-        rig.replay(&Log::read_file(&root().join("vehicles/bus/captures/city.log"))?, true);
+        rig.replay(&Log::read_file(&root().join("vehicles/citybus/captures/city.log"))?, true);
         return Ok(rig);
     };
     let bitrate = VEHICLES.iter().find(|vehicle| vehicle.name == kind.name()).unwrap().bitrate;
@@ -48,7 +48,7 @@ fn visit(width: u32, height: u32) -> Option<Visit> {
         return None;
     };
     let start = Start {
-        vehicle: Some(Kind::Bus),
+        vehicle: Some(Kind::Citybus),
         recording: Some("city.log".into()),
         elf: Some(firmware::elf()),
         ..Start::default()
@@ -314,7 +314,7 @@ fn pictures_recordings_and_logs_are_kept() {
 #[test]
 fn every_vehicle_starts_and_drives_and_the_recording_plays() {
     let Some(mut visit) = visit(1440, 900) else { return };
-    for name in ["jiulong", "c5ev", "bus"] {
+    for name in ["jiulong", "c5ev", "citybus"] {
         visit.browser.click(&format!("#vehicles [data-value={name}]"));
         visit.browser.wait_for(&format!("catalog.vehicle === '{name}' && state"));
         visit.wait_ready();

@@ -24,7 +24,7 @@ fn page(rig: &Rig) -> u8 {
 }
 
 fn driving() -> Rig {
-    let city = surroundings::root().join("vehicles/bus/captures/city.log");
+    let city = surroundings::root().join("vehicles/citybus/captures/city.log");
     let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
     rig.replay(&Log::read_file(&city).unwrap(), true);
     rig.run_for(Nanos::from_secs(4)).unwrap();

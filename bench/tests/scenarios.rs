@@ -20,7 +20,7 @@ fn all_pass_on_the_host(kind: Kind) {
 
 #[test]
 fn every_scenario_of_the_bus_passes_on_the_host() {
-    all_pass_on_the_host(Kind::Bus);
+    all_pass_on_the_host(Kind::Citybus);
 }
 
 #[test]

@@ -32,7 +32,7 @@ struct Vehicle {
 }
 
 const BUS: Vehicle = Vehicle {
-    name: "bus",
+    name: "citybus",
     log: "city.log",
     bitrate: 250_000,
     elf: firmware::elf,
@@ -245,7 +245,7 @@ fn another_vehicle_on_the_same_bus_is_told_and_changes_nothing() {
         Record::Hello { vehicle, .. } => Some(vehicle.as_str()),
         _ => None,
     });
-    assert!(greetings.into_iter().all(|name| ["", "bus"].contains(&name)));
+    assert!(greetings.into_iter().all(|name| ["", "citybus"].contains(&name)));
     let line = rig.screen().unwrap().line.expect("the driver is told");
     assert_eq!(line.text, protocol_core::link::text_id("Another vehicle on this bus"));
 }

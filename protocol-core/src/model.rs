@@ -217,7 +217,7 @@ model! {
     /// Service brake switch.
     VehicleFootBrake "vehicle.foot_brake" Flag;
     /// Parking brake as the vehicle controller sees it.
-    VehicleHandBrake "vehicle.hand_brake" Flag;
+    VehicleParkingBrake "vehicle.parking_brake" Flag;
     /// The vehicle controller asks for high voltage.
     VehicleHvCommand "vehicle.hv_command" Flag;
     /// Total distance, if the vehicle sends one.
@@ -518,7 +518,7 @@ model! {
     /// Rear hatch (engine bay) is open.
     BodyDoorHatch "body.door.hatch" Flag;
     /// Parking brake lever is set.
-    BodyHandBrake "body.hand_brake" Flag;
+    BodyParkingBrake "body.parking_brake" Flag;
     /// Smoke alarm.
     BodySmoke "body.smoke" Flag;
     /// Nobody sits on the driver's seat.

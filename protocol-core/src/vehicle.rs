@@ -15,7 +15,7 @@ pub enum Node {
     /// Vehicle controller.
     Vcu,
     /// Motor controller.
-    Mcu,
+    Inverter,
     /// Battery management system.
     Bms,
     /// DC/DC converter.

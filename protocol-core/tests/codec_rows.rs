@@ -2,7 +2,7 @@
 
 use protocol_core::CanId;
 use protocol_core::codec::{Mux, scaled};
-use protocol_core::generated::{MESSAGES, VEHICLES, bus, example};
+use protocol_core::generated::{MESSAGES, VEHICLES, citybus, example};
 use protocol_core::model::{Readings, Value};
 use protocol_core::vehicle::{NO_VEHICLE, Node};
 
@@ -56,7 +56,7 @@ fn what_a_vehicle_does_not_have_is_not_found() {
         assert!(vehicle.ids.iter().all(|&id| vehicle.has_id(id)));
     }
     assert_eq!((NO_VEHICLE.node(Node::Vcu), NO_VEHICLE.fault(Node::Vcu, 1)), (None, None));
-    assert!(bus::VEHICLE.ids.iter().all(|&id| !example::VEHICLE.has_id(id)));
+    assert!(citybus::VEHICLE.ids.iter().all(|&id| !example::VEHICLE.has_id(id)));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //!
 //! Names carry the rule (`bus_r006`, `jl_r010`, `c5_r003`) or the decision on a doubtful place (`bus_16`, `jl_02`).
 
-use protocol_core::generated::{bus, c5ev, jiulong};
+use protocol_core::generated::{c5ev, citybus, jiulong};
 use protocol_core::model::{Gear, Reading, Readings, Severity, Value};
 use protocol_core::vehicle::{Life, Node, Vehicle};
 
@@ -35,7 +35,7 @@ fn sent(vehicle: &Vehicle, message: &str, inputs: &[(Value, i32)]) -> [u8; 8] {
     (vehicle.encode)(index as u8, &values)
 }
 
-const BUS: &Vehicle = &bus::VEHICLE;
+const BUS: &Vehicle = &citybus::VEHICLE;
 const JIULONG: &Vehicle = &jiulong::VEHICLE;
 const C5EV: &Vehicle = &c5ev::VEHICLE;
 
@@ -48,7 +48,7 @@ fn bus_r001_jl_r001_c5_33_the_bit_rate_is_250_kbit_per_second() {
 fn bus_r005_the_low_byte_comes_first() {
     // 0x0300 / 256 = 3 km/h, in bytes 3 and 4.
     let data = [0, 0, 0x00, 0x03, 0, 0, 0, 0];
-    assert_eq!(bus::Vcu1(data).vehicle_speed(), Some(0x300));
+    assert_eq!(citybus::Vcu1(data).vehicle_speed(), Some(0x300));
     assert_eq!(value(BUS, "VCU1", data, Value::VehicleSpeed), Some(3 * 256));
 }
 
@@ -56,15 +56,15 @@ fn bus_r005_the_low_byte_comes_first() {
 fn bus_r006_the_soc_in_vcu5_has_its_high_byte_first() {
     // BYTE6 = 0x00, BYTE7 = 0x7D: 125 * 0.4 = 50 %.
     let data = [0, 0, 0, 0, 0, 0x00, 0x7D, 0];
-    assert_eq!(bus::Vcu5(data).soc_raw(), 125);
-    assert_eq!(bus::Vcu5(data).soc(), Some(250), "250 fifths are 50 %");
-    assert_eq!(bus::Vcu5([0, 0, 0, 0, 0, 0x7D, 0x00, 0]).soc(), None, "the other order is out of range");
-    assert_eq!(bus::Vcu5::new().with_soc_raw(125).0[5..7], [0x00, 0x7D]);
+    assert_eq!(citybus::Vcu5(data).soc_raw(), 125);
+    assert_eq!(citybus::Vcu5(data).soc(), Some(250), "250 fifths are 50 %");
+    assert_eq!(citybus::Vcu5([0, 0, 0, 0, 0, 0x7D, 0x00, 0]).soc(), None, "the other order is out of range");
+    assert_eq!(citybus::Vcu5::new().with_soc_raw(125).0[5..7], [0x00, 0x7D]);
 }
 
 #[test]
 fn bus_r008_reserved_bytes_are_filled_and_reserved_bits_are_zero() {
-    assert_eq!(bus::Vcu7::new().0, [0x00, 0, 0, 0xFF, 0x00, 0xFF, 0xFF, 0xFF]);
+    assert_eq!(citybus::Vcu7::new().0, [0x00, 0, 0, 0xFF, 0x00, 0xFF, 0xFF, 0xFF]);
     assert_eq!(
         sent(BUS, "Meter2", &[(Value::ClusterOdometer, 0x0102_0304)]),
         [4, 3, 2, 1, 0xFF, 0xFF, 0xFF, 0xFF]
@@ -74,22 +74,24 @@ fn bus_r008_reserved_bytes_are_filled_and_reserved_bits_are_zero() {
 #[test]
 fn bus_16_offsets_are_physical() {
     // (30000 - 3000 / 0.1) * 0.1 = 0 Nm; raw 0 is -3000 Nm, raw 60000 is 3000 Nm.
-    let torque = |raw: u16| bus::Ipu2::new().with_motor_torque_raw(raw).motor_torque();
+    let torque = |raw: u16| citybus::Ipu2::new().with_motor_torque_raw(raw).motor_torque();
     assert_eq!(
         [torque(0), torque(30_000), torque(60_000), torque(60_001)],
         [Some(-30_000), Some(0), Some(30_000), None]
     );
-    let current = |raw: u16| bus::Bms1::new().with_pack_current_raw(raw).0;
+    let current = |raw: u16| citybus::Bms1::new().with_pack_current_raw(raw).0;
     assert_eq!(value(BUS, "BMS1", current(9_876), Value::BatteryCurrent), Some(-124), "-12.4 A: charging");
     assert_eq!(value(BUS, "BMS1", current(10_500), Value::BatteryCurrent), Some(500), "50 A: discharging");
 }
 
 #[test]
 fn bus_34_raw_levels_run_in_opposite_directions() {
-    let vcu7 =
-        |raw| severity(BUS, "VCU7", bus::Vcu7::new().with_fault_level_raw(raw).0, Value::VehicleFaultLevel);
-    let bms1 =
-        |raw| severity(BUS, "BMS1", bus::Bms1::new().with_fault_level_raw(raw).0, Value::BatteryFaultLevel);
+    let vcu7 = |raw| {
+        severity(BUS, "VCU7", citybus::Vcu7::new().with_fault_level_raw(raw).0, Value::VehicleFaultLevel)
+    };
+    let bms1 = |raw| {
+        severity(BUS, "BMS1", citybus::Bms1::new().with_fault_level_raw(raw).0, Value::BatteryFaultLevel)
+    };
     use Severity::{Derate, None as NoFault, Stop, Warn};
     assert_eq!([0, 1, 2, 3].map(vcu7), [NoFault, Warn, Derate, Stop].map(Some));
     assert_eq!([0, 1, 2, 3].map(bms1), [NoFault, Stop, Derate, Warn].map(Some));
@@ -100,7 +102,7 @@ fn bus_34_raw_levels_run_in_opposite_directions() {
 #[test]
 fn bus_100_the_insulation_level_is_the_worse_of_level_and_alarm_bits() {
     let frame = |level, first, second| {
-        bus::Insulation::new()
+        citybus::Insulation::new()
             .with_leakage_level_raw(level)
             .with_level_1_alarm_raw(first)
             .with_level_2_alarm_raw(second)
@@ -119,7 +121,7 @@ fn bus_100_the_insulation_level_is_the_worse_of_level_and_alarm_bits() {
 #[test]
 fn bus_36_unknown_gears_are_invalid_and_the_others_are_what_is_printed() {
     let gear = |raw| {
-        let model = value(BUS, "VCU1", bus::Vcu1::new().with_gear_raw(raw).0, Value::VehicleGear);
+        let model = value(BUS, "VCU1", citybus::Vcu1::new().with_gear_raw(raw).0, Value::VehicleGear);
         model.map(|model| Gear::from_model(model).expect("a gear"))
     };
     for (raw, expected) in [
@@ -144,14 +146,14 @@ fn bus_36_unknown_gears_are_invalid_and_the_others_are_what_is_printed() {
 
 #[test]
 fn bus_48_the_soc_is_two_bytes_of_0_4_percent_and_invalid_above_250() {
-    let soc = |raw: u16| value(BUS, "BMS1", bus::Bms1::new().with_soc_raw(raw).0, Value::BatterySoc);
+    let soc = |raw: u16| value(BUS, "BMS1", citybus::Bms1::new().with_soc_raw(raw).0, Value::BatterySoc);
     assert_eq!([soc(0), soc(1), soc(250)], [Some(0), Some(4), Some(1000)]);
     assert_eq!([soc(251), soc(0x0100), soc(0xFFFF)], [None; 3]);
 }
 
 #[test]
 fn bus_52_the_plug_is_in_at_55_and_out_at_aa() {
-    let plug = |raw| value(BUS, "BMS5", bus::Bms5::new().with_plug_state_raw(raw).0, Value::ChargePlug);
+    let plug = |raw| value(BUS, "BMS5", citybus::Bms5::new().with_plug_state_raw(raw).0, Value::ChargePlug);
     assert_eq!([plug(0x55), plug(0xAA), plug(0xFF), plug(0)], [Some(1), Some(0), None, None]);
 }
 
@@ -163,7 +165,8 @@ fn bus_54_the_fault_code_of_the_vehicle_is_two_bytes() {
 
 #[test]
 fn bus_59_closed_is_01_in_bms1_and_10_in_the_contactor_box() {
-    let main = |raw| value(BUS, "BMS1", bus::Bms1::new().with_main_relay_raw(raw).0, Value::ContactorMain);
+    let main =
+        |raw| value(BUS, "BMS1", citybus::Bms1::new().with_main_relay_raw(raw).0, Value::ContactorMain);
     assert_eq!([0b00, 0b01, 0b10, 0b11].map(main), [Some(0), Some(1), None, Some(2)]);
     assert!(BUS.rx.iter().all(|row| row.name != "PEU"), "the box is heard only by configuration (BUS-60)");
 }
@@ -172,13 +175,13 @@ fn bus_59_closed_is_01_in_bms1_and_10_in_the_contactor_box() {
 fn bus_63_the_life_counter_of_ipu1_is_the_high_nibble_of_byte_8() {
     let row = BUS.rx.iter().find(|row| row.name == "IPU1").expect("IPU1 is received");
     assert_eq!(row.life, Some(Life { byte: 7, mask: 0xF0 }));
-    assert_eq!(bus::Ipu1([0, 0, 0, 0, 0, 0, 0, 0xA5]).life_raw(), 0xA);
+    assert_eq!(citybus::Ipu1([0, 0, 0, 0, 0, 0, 0, 0xA5]).life_raw(), 0xA);
 }
 
 #[test]
 fn bus_67_only_11_asks_to_open_the_high_voltage_circuit() {
     let asks = |raw| {
-        value(BUS, "BMS1", bus::Bms1::new().with_hv_open_request_raw(raw).0, Value::BatteryHvOffRequest)
+        value(BUS, "BMS1", citybus::Bms1::new().with_hv_open_request_raw(raw).0, Value::BatteryHvOffRequest)
     };
     assert_eq!([0b00, 0b01, 0b10, 0b11].map(asks), [Some(0), Some(0), Some(0), Some(1)]);
 }
@@ -186,7 +189,7 @@ fn bus_67_only_11_asks_to_open_the_high_voltage_circuit() {
 #[test]
 fn bus_72_cell_voltages_count_10_mv_and_ffff_is_invalid() {
     let cell = |raw: u16| {
-        value(BUS, "BMS2", bus::Bms2::new().with_max_cell_voltage_raw(raw).0, Value::BatteryCellMax)
+        value(BUS, "BMS2", citybus::Bms2::new().with_max_cell_voltage_raw(raw).0, Value::BatteryCellMax)
     };
     assert_eq!([cell(365), cell(0xFFFF)], [Some(3650), None]);
 }
@@ -194,14 +197,14 @@ fn bus_72_cell_voltages_count_10_mv_and_ffff_is_invalid() {
 #[test]
 fn bus_73_the_charge_limit_is_a_magnitude_whatever_its_sign() {
     let limit = |raw: u16| {
-        value(BUS, "BMS4", bus::Bms4::new().with_max_charge_current_raw(raw).0, Value::BatteryChargeLimit)
+        value(BUS, "BMS4", citybus::Bms4::new().with_max_charge_current_raw(raw).0, Value::BatteryChargeLimit)
     };
     assert_eq!([limit(10_800), limit(9_200)], [Some(800), Some(800)]);
 }
 
 #[test]
 fn bus_86_the_year_of_production_counts_from_1985() {
-    assert_eq!(bus::Bms12::new().with_production_year_raw(32).production_year(), Some(2017));
+    assert_eq!(citybus::Bms12::new().with_production_year_raw(32).production_year(), Some(2017));
 }
 
 #[test]
@@ -222,7 +225,7 @@ fn bus_106_the_same_code_means_something_else_elsewhere() {
     );
     assert_eq!(en(Node::Steering, 4), Some("Overload"));
     assert_eq!(en(Node::Dcdc, 4), Some("Input overvoltage"));
-    assert_eq!(en(Node::Mcu, 4), None, "no table of the motor controller is printed (BUS-08)");
+    assert_eq!(en(Node::Inverter, 4), None, "no table of the motor controller is printed (BUS-08)");
 }
 
 #[test]
@@ -266,8 +269,8 @@ fn bus_06_the_loss_of_ipu1_is_nobodys_alarm() {
 
 #[test]
 fn bus_10_vcu7_has_its_own_source_address() {
-    assert_eq!(bus::id::VCU7.bits(), 0x0CF1_064A);
-    assert_eq!(bus::id::VCU1.bits(), 0x0CF1_01A7);
+    assert_eq!(citybus::id::VCU7.bits(), 0x0CF1_064A);
+    assert_eq!(citybus::id::VCU1.bits(), 0x0CF1_01A7);
 }
 
 #[test]
@@ -492,7 +495,7 @@ fn c5_43_the_insulation_counts_tenths_of_a_kiloohm_and_is_rounded_down() {
 
 #[test]
 fn c5_r003_jl_r018_bus_r063_discharge_is_positive_everywhere() {
-    let bus = bus::Bms1::new().with_pack_current_raw(10_001).0;
+    let bus = citybus::Bms1::new().with_pack_current_raw(10_001).0;
     let jiulong = jiulong::BmsStatus::new().with_pack_current_raw(5_001).0;
     let c5ev = c5ev::Bmsa::new().with_pack_current_raw(5_001).0;
     assert_eq!(value(BUS, "BMS1", bus, Value::BatteryCurrent), Some(1));
@@ -504,7 +507,7 @@ fn c5_r003_jl_r018_bus_r063_discharge_is_positive_everywhere() {
 fn x_08_d_and_r_have_the_same_raw_values_in_all_three() {
     let gears = |raw| {
         [
-            value(BUS, "VCU1", bus::Vcu1::new().with_gear_raw(raw).0, Value::VehicleGear),
+            value(BUS, "VCU1", citybus::Vcu1::new().with_gear_raw(raw).0, Value::VehicleGear),
             value(JIULONG, "VCU2", jiulong::Vcu2::new().with_gear_raw(raw).0, Value::VehicleGear),
             value(C5EV, "VCUToCluster", [0, 0, 0, 0, 0, 0, raw, 0], Value::VehicleGear),
         ]

@@ -15,7 +15,7 @@ fn decoded(bytes: &[u8]) -> Vec<Result<Record, LinkError>> {
 }
 
 fn hello() -> Record {
-    Record::Hello { version: "0.1.0".into(), vehicle: "bus".into(), build: 0xDEAD_BEEF }
+    Record::Hello { version: "0.1.0".into(), vehicle: "citybus".into(), build: 0xDEAD_BEEF }
 }
 
 const LARGEST_FAULT: Fault = Fault {

@@ -16,7 +16,7 @@ use crate::workspace;
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use protocol_core::codec::{MessageInfo, SignalInfo};
-use protocol_core::generated::bus;
+use protocol_core::generated::citybus;
 use protocol_core::{Reading, Readings, Value};
 use std::fmt::Write;
 
@@ -156,7 +156,7 @@ fn messages(programs: &Programs) -> Result<Vec<Message>> {
 }
 
 fn info(name: &str) -> Result<&'static MessageInfo> {
-    bus::MESSAGES
+    citybus::MESSAGES
         .iter()
         .find(|info| info.name == name)
         .with_context(|| format!("the bus has no message {name}"))
@@ -233,7 +233,7 @@ fn decode_into_model(core: &mut Core, index: u8, data: &[u8; 8]) -> Result<Cost>
     let function = core.entry(0)?;
     let cost = core.call(function, &[u32::from(index), DATA, VALUES])?;
     let mut readings = Readings::new();
-    (bus::VEHICLE.decode)(index, data, &mut readings);
+    (citybus::VEHICLE.decode)(index, data, &mut readings);
     for value in Value::ALL.iter().copied() {
         let Some((reading, _)) = readings.get(value) else { continue };
         let expected = match reading {

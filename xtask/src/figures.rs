@@ -37,7 +37,7 @@ type Row = (&'static str, String);
 /// If the firmware cannot be built or run, or the README quotes other figures.
 pub fn run(options: &Options) -> Result<()> {
     let elf = firmware::build(&firmware::Options::default())?.elf;
-    let log = Log::read_file(&workspace::root().join("vehicles/bus/captures/city.log"))?;
+    let log = Log::read_file(&workspace::root().join("vehicles/citybus/captures/city.log"))?;
     let started = Instant::now();
     let mut rows = Vec::new();
     let mut virtual_time = start_up(&elf, &mut rows)?;

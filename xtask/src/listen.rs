@@ -311,7 +311,7 @@ mod tests {
     fn records_are_printed_in_order_and_noise_between_them_is_skipped() {
         let items = [Sample::Value(12_425), Sample::Value(1)].into_iter().collect::<Chunk>();
         let records = [
-            Record::Hello { version: "0.1.0".into(), vehicle: "bus".into(), build: 7 },
+            Record::Hello { version: "0.1.0".into(), vehicle: "citybus".into(), build: 7 },
             Record::Values { first: 0, items },
         ];
         let mut bytes = vec![0x55, 0xAA, 0x00];

@@ -425,7 +425,7 @@ mod tests {
 
     #[test]
     fn the_sources_of_a_value_are_found() {
-        let bus = sources(Tables::named("bus").unwrap());
+        let bus = sources(Tables::named("citybus").unwrap());
         assert_eq!(bus[&Value::VehicleSpeed], BTreeSet::from(["VCU1.vehicle_speed".to_owned()]));
     }
 }

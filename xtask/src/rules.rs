@@ -215,7 +215,7 @@ fn page(rules: &[Rule], tests: &Tests) -> Result<String> {
          What the source documents ask for, who must do it, and what shows that it is done. Rules of other nodes are\n\
          those of the virtual vehicle.\n",
     );
-    for (document, title) in [("BUS", "bus"), ("JL", "jiulong"), ("C5", "c5ev")] {
+    for (document, title) in [("BUS", "citybus"), ("JL", "jiulong"), ("C5", "c5ev")] {
         writeln!(text, "\n## {title}\n\n| Rule | Actor | Subject | Shown by |\n|---|---|---|---|")?;
         for rule in rules.iter().filter(|rule| rule.number.starts_with(document)) {
             let mut shown: Vec<String> = Vec::new();

@@ -34,8 +34,8 @@ pub struct Options {
     /// Crystal on the MCP2515 module.
     #[arg(long, value_enum, default_value_t, value_name = "MHZ")]
     crystal: firmware::Crystal,
-    /// Vehicle around the cluster: bus, jiulong or c5ev.
-    #[arg(long, value_name = "NAME", default_value = "bus")]
+    /// Vehicle around the cluster: citybus, jiulong or c5ev.
+    #[arg(long, value_name = "NAME", default_value = "citybus")]
     vehicle: String,
     /// Sets a control of the vehicle before the start, as often as you like: `--set driver.gear=D`; `cargo xtask vehicle
     /// --list` shows all.
@@ -222,7 +222,7 @@ impl BusRecording {
 /// Like [`run`].
 pub fn headless_for_ci(screenshot: &Path) -> Result<()> {
     run(&Options {
-        log: Some("vehicles/bus/captures/city.log".into()),
+        log: Some("vehicles/citybus/captures/city.log".into()),
         headless: true,
         seconds: 20.0,
         screenshot: Some(screenshot.to_owned()),

@@ -19,7 +19,7 @@ use virtual_vehicle::Kind;
 /// Which scenarios to run, and where.
 #[derive(Args, Clone, Debug, Default)]
 pub struct Options {
-    /// Files, or names as `reverse` or `bus/reverse`; all if none is given.
+    /// Files, or names as `reverse` or `citybus/reverse`; all if none is given.
     names: Vec<String>,
     /// Runs in one place only.
     #[arg(long, value_enum)]

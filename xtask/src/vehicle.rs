@@ -36,7 +36,7 @@ const CLUSTER: &str = "Cluster";
 #[derive(Args, Clone, Debug)]
 pub struct Options {
     /// Vehicle to play: bus, jiulong or c5ev.
-    #[arg(long, value_name = "NAME", default_value = "bus")]
+    #[arg(long, value_name = "NAME", default_value = "citybus")]
     vehicle: String,
     /// CAN interface of Linux, up and with the vehicle's bit rate: can0.
     #[arg(long, value_name = "INTERFACE")]
@@ -342,8 +342,8 @@ mod tests {
     }
 
     fn desk() -> (Desk<Paper>, Paper) {
-        let (tables, paper) = (Tables::named("bus").unwrap(), Paper::default());
-        (Desk::new(make(Kind::Bus, &[]).unwrap(), tables, paper.clone()), paper)
+        let (tables, paper) = (Tables::named("citybus").unwrap(), Paper::default());
+        (Desk::new(make(Kind::Citybus, &[]).unwrap(), tables, paper.clone()), paper)
     }
 
     fn turn(desk: &mut Desk<Paper>, paper: &Paper, now_us: u64) {
@@ -353,7 +353,7 @@ mod tests {
 
     /// What the vehicle sends by itself: the same vehicle without a clock.
     fn expected(millis: u64) -> Vec<(u64, Frame)> {
-        let mut vehicle = make(Kind::Bus, &[]).unwrap();
+        let mut vehicle = make(Kind::Citybus, &[]).unwrap();
         let mut sent = Vec::new();
         while vehicle.now_ms() <= millis {
             vehicle.advance();
@@ -430,13 +430,13 @@ mod tests {
     #[test]
     fn an_unknown_vehicle_or_control_is_named() {
         let Err(error) = named("buss") else { panic!("there is no buss") };
-        assert!(error.to_string().contains("bus"), "{error}");
+        assert!(error.to_string().contains("citybus"), "{error}");
         for (wrong, hint) in
             [("driver.gear", "--list"), ("no.such=1", "no control"), ("driver.gear=P", "takes")]
         {
-            let Err(error) = make(Kind::Bus, &[wrong.to_owned()]) else { panic!("{wrong} was set") };
+            let Err(error) = make(Kind::Citybus, &[wrong.to_owned()]) else { panic!("{wrong} was set") };
             assert!(error.to_string().contains(hint), "{error}");
         }
-        assert!(make(Kind::Bus, &["driver.gear=D".into()]).is_ok());
+        assert!(make(Kind::Citybus, &["driver.gear=D".into()]).is_ok());
     }
 }

@@ -152,7 +152,8 @@ mod tests {
     /// A vehicle that is added may share identifiers with another; a recording of it is then read with `--vehicle`.
     #[test]
     fn no_identifier_belongs_to_two_of_the_documented_vehicles() {
-        let known = Tables::all().filter(|tables| ["bus", "c5ev", "jiulong"].contains(&tables.vehicle.name));
+        let known =
+            Tables::all().filter(|tables| ["citybus", "c5ev", "jiulong"].contains(&tables.vehicle.name));
         let all: Vec<CanId> =
             known.flat_map(|tables| tables.messages.iter().map(|message| message.id)).collect();
         assert_eq!(all.iter().collect::<BTreeSet<_>>().len(), all.len());

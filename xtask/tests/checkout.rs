@@ -23,7 +23,7 @@ fn a_program_that_cargo_starts_works_on_the_checkout_that_cargo_names() {
     let output = xtask().arg("dbc").env("CARGO_MANIFEST_DIR", copy.path().join("xtask")).output().unwrap();
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.starts_with("vehicles/scratch/scratch.dbc:2: "), "{said}");
-    assert!(!said.contains("vehicles/bus"), "{said}");
+    assert!(!said.contains("vehicles/citybus"), "{said}");
 }
 
 /// Starts the program as cargo does not, from `folder`.
@@ -39,5 +39,5 @@ fn without_cargo_it_is_the_checkout_that_was_compiled() {
     let elsewhere = tempfile::tempdir().unwrap();
     let output = stranger(elsewhere.path(), &["dbc"]).output().unwrap();
     assert!(output.status.success(), "{output:?}");
-    assert!(String::from_utf8(output.stdout).unwrap().contains("vehicles/bus/bus.dbc"));
+    assert!(String::from_utf8(output.stdout).unwrap().contains("vehicles/citybus/citybus.dbc"));
 }

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::fs::File;
 use std::process::{Command, Output, Stdio};
 
-const CITY: &str = "vehicles/bus/captures/city.log";
+const CITY: &str = "vehicles/citybus/captures/city.log";
 /// What a shell says of a tool that SIGPIPE has ended.
 const NOBODY_READS: i32 = 141;
 

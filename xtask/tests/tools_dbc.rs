@@ -10,7 +10,7 @@ fn dbc(arguments: &[&str]) -> Output {
 }
 
 fn bus() -> String {
-    std::fs::read_to_string(surroundings::root().join("vehicles/bus/bus.dbc")).unwrap()
+    std::fs::read_to_string(surroundings::root().join("vehicles/citybus/citybus.dbc")).unwrap()
 }
 
 /// Lints `text` and returns what is found, without the path of the file.
@@ -39,7 +39,7 @@ fn the_vehicles_are_clean() {
     let output = dbc(&[]);
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(output.status.success(), "{said}");
-    for name in ["bus", "c5ev", "jiulong"] {
+    for name in ["citybus", "c5ev", "jiulong"] {
         let line = said.lines().find(|line| line.starts_with(&format!("vehicles/{name}/{name}.dbc")));
         assert!(line.is_some_and(|line| line.ends_with("  ok")), "{said}");
     }

@@ -12,7 +12,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use surroundings::need;
 
-const CITY: &str = "vehicles/bus/captures/city.log";
+const CITY: &str = "vehicles/citybus/captures/city.log";
 
 fn decode(arguments: &[&str]) -> Command {
     let mut command = xtask();
@@ -85,7 +85,7 @@ fn compare_with_cantools(python: &Path, dbc: &str, log: &str) -> (usize, usize) 
 #[test]
 fn the_city_drive_decodes_as_cantools_decodes_it() {
     let Some(python) = need::witness("decode of a drive") else { return };
-    let (frames, signals) = compare_with_cantools(&python, "vehicles/bus/bus.dbc", CITY);
+    let (frames, signals) = compare_with_cantools(&python, "vehicles/citybus/citybus.dbc", CITY);
     let recorded = std::fs::read_to_string(surroundings::root().join(CITY)).unwrap().lines().count();
     assert_eq!(frames, recorded);
     println!("{frames} frames, {signals} signals agree with cantools");

@@ -11,7 +11,7 @@ fn listen(source: &str) -> Output {
 }
 
 fn hello() -> Vec<u8> {
-    let record = Record::Hello { version: "0.1.0".into(), vehicle: "bus".into(), build: 7 };
+    let record = Record::Hello { version: "0.1.0".into(), vehicle: "citybus".into(), build: 7 };
     let mut frame = [0; MAX_FRAME];
     let length = encode(&record, &mut frame).unwrap();
     frame[..length].to_vec()

@@ -56,7 +56,7 @@ fn speeds(json: &str) -> Vec<(String, String)> {
     json.lines().map(row).collect()
 }
 
-const SPEED: [&str; 6] = ["--vehicle", "bus", "--format", "json", "--signals", "VCU1.vehicle_speed"];
+const SPEED: [&str; 6] = ["--vehicle", "citybus", "--format", "json", "--signals", "VCU1.vehicle_speed"];
 
 /// A line of candump's screen with VCU1 at this speed, in whole km/h.
 fn vcu1(head: &str, speed: u8) -> String {
@@ -244,7 +244,7 @@ fn a_recording_that_ran_out_of_room_is_left_in_whole_lines() {
     assert!(frames > 50 && text.ends_with('\n'), "{frames} frames");
     assert!(said.contains("x.log ended early: "), "{said}");
     assert!(said.contains(&format!("; {frames} frames are safely in the log")), "{frames} frames: {said}");
-    let (_, said) = done(&["decode", &log, "--vehicle", "bus"]);
+    let (_, said) = done(&["decode", &log, "--vehicle", "citybus"]);
     assert!(said.contains(&format!("frames   {frames} in ")), "{said}");
 }
 

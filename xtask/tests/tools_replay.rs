@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::process::Output;
 
-const CITY: &str = "vehicles/bus/captures/city.log";
+const CITY: &str = "vehicles/citybus/captures/city.log";
 
 fn run(arguments: &[&str]) -> Output {
     xtask().args(arguments).output().unwrap()
@@ -36,7 +36,7 @@ fn replayed(log: &str) -> Vec<Json> {
 fn only_changes_are_printed_in_order_of_time() {
     let mut rows = json(&printed(&["replay", CITY, "--json"]));
     let summary = rows.pop().unwrap();
-    assert_eq!((&summary["name"], &summary["vehicle"]), (&"summary".into(), &"bus".into()));
+    assert_eq!((&summary["name"], &summary["vehicle"]), (&"summary".into(), &"citybus".into()));
     assert_eq!(summary["frames"].as_u64(), Some(6_620));
     assert_eq!(summary["taken"].as_u64().unwrap() + summary["for_others"].as_u64().unwrap(), 6_620);
     let mut last: BTreeMap<String, Json> = BTreeMap::new();

@@ -99,7 +99,7 @@ sources! {
     /// No communication with the vehicle controller.
     SilentVcu 64;
     /// No communication with the motor controller.
-    SilentMcu 65;
+    SilentInverter 65;
     /// No communication with the battery.
     SilentBms 66;
     /// No communication with the DC/DC converter.

@@ -103,7 +103,7 @@ pub struct Inputs {
     /// Nobody sits on the driver's seat.
     pub seat_empty: bool,
     /// The parking brake is set.
-    pub hand_brake: bool,
+    pub parking_brake: bool,
     /// The smoke detector gives alarm.
     pub smoke: bool,
     /// The horn is pressed.
@@ -131,7 +131,7 @@ const ROWS: &[Row] = &[
     (Value::BodyDoorMiddle, |i| flag(i.doors.middle)),
     (Value::BodyDoorRear, |i| flag(i.doors.rear)),
     (Value::BodyDoorHatch, |i| flag(i.doors.hatch)),
-    (Value::BodyHandBrake, |i| flag(i.hand_brake)),
+    (Value::BodyParkingBrake, |i| flag(i.parking_brake)),
     (Value::BodySmoke, |i| flag(i.smoke)),
     (Value::BodySeatEmpty, |i| flag(i.seat_empty)),
     (Value::BodyHorn, |i| flag(i.horn)),

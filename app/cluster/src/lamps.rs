@@ -99,7 +99,7 @@ const ROWS: &[Row] = rows! {
     Steering Keeps: Is(Value::SteeringState, FAULT);
     Compressor Keeps: Is(Value::CompressorState, FAULT);
     Compressor Keeps: Is(Value::CompressorFault, 1);
-    ParkingBrake Darkens: Is(Value::BodyHandBrake, 1);
+    ParkingBrake Darkens: Is(Value::BodyParkingBrake, 1);
     Door Darkens: Is(Value::BodyDoorFront, 1);
     Door Darkens: Is(Value::BodyDoorMiddle, 1);
     Door Darkens: Is(Value::BodyDoorRear, 1);

@@ -176,8 +176,8 @@ pub(crate) const ROWS: &[Row] = &[
     Row::flag(S::BatterySmoke, V::BatterySmoke, Always(Stop), texts::BATTERY_SMOKE).unless_sent(V::BatteryAlarms).sounds(),
     Row::new(S::BatteryAlarm, When::Bits(V::BatteryAlarms), Stage(V::BatteryFaultLevel), ByBit(&[Node::Bms], texts::BATTERY)).sounds(),
     Row::flag(S::BatteryFault, V::BatteryFault, Always(Warn), texts::BATTERY).unless_sent(V::BatteryAlarms),
-    Row::level(S::Motor, V::MotorFaultLevel, ByCode(Node::Mcu, MOTOR)).code(V::MotorFaultCode).rotates().sounds(),
-    Row::new(S::MotorAlarm, When::Bits(V::MotorAlarms), Stage(V::MotorFaultLevel), ByBit(&[Node::Mcu, Node::Vcu], texts::MOTOR)).sounds(),
+    Row::level(S::Motor, V::MotorFaultLevel, ByCode(Node::Inverter, MOTOR)).code(V::MotorFaultCode).rotates().sounds(),
+    Row::new(S::MotorAlarm, When::Bits(V::MotorAlarms), Stage(V::MotorFaultLevel), ByBit(&[Node::Inverter, Node::Vcu], texts::MOTOR)).sounds(),
     Row::level(S::Insulation, V::InsulationLevel, ByCode(Node::Insulation, INSULATION)).code(V::InsulationFaultCode).sounds(),
     Row::flag(S::InsulationFault, V::InsulationFault, Always(Warn), texts::INSULATION).unless_sent(V::InsulationLevel),
     Row::flag(S::InsulationDevice, V::InsulationDeviceFault, Always(Warn), texts::INSULATION_DEVICE),
@@ -206,7 +206,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row::flag(S::TorqueLimit, V::VehicleTorqueLimited, Joins(Severity::None), texts::TORQUE_LIMITED),
     Row::silent(S::SilentVcu, Node::Vcu, Derate).sounds(),
     Row::silent(S::SilentBms, Node::Bms, Derate).sounds(),
-    Row::silent(S::SilentMcu, Node::Mcu, Warn).sounds(),
+    Row::silent(S::SilentInverter, Node::Inverter, Warn).sounds(),
     Row::silent(S::SilentSteering, Node::Steering, Warn),
     Row::silent(S::SilentCompressor, Node::Compressor, Warn),
     Row::silent(S::SilentInsulation, Node::Insulation, Warn),
@@ -421,8 +421,8 @@ mod tests {
         assert!(matches!(component.when, When::Is(V::DcdcState, FAULT)));
         assert!(matches!(component.grade, Joins(Warn)), "BUS-113: the documents print no level");
         assert_eq!(traits(&component), ([Some(V::DcdcFaultCode), None], [false; 4]));
-        let silent = Row::silent(S::SilentMcu, Node::Mcu, Warn);
-        assert!(matches!((silent.when, silent.grade), (When::Silent(Node::Mcu), Always(Warn))));
+        let silent = Row::silent(S::SilentInverter, Node::Inverter, Warn);
+        assert!(matches!((silent.when, silent.grade), (When::Silent(Node::Inverter), Always(Warn))));
     }
 
     #[test]

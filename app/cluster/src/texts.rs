@@ -95,7 +95,7 @@ texts! {
     /// The vehicle controller has stopped sending.
     SILENT_VCU "整车控制器通信中断" "No communication: VCU";
     /// The motor controller has stopped sending.
-    SILENT_MCU "电机控制器通信中断" "No communication: motor";
+    SILENT_INVERTER "电机控制器通信中断" "No communication: motor";
     /// The battery has stopped sending.
     SILENT_BMS "电池管理系统通信中断" "No communication: BMS";
     /// The DC/DC converter has stopped sending.
@@ -127,7 +127,7 @@ pub(crate) const fn silent(node: Node) -> Text {
     match node {
         // The cluster does not receive from itself: no row asks for it.
         Node::Vcu | Node::Cluster => SILENT_VCU,
-        Node::Mcu => SILENT_MCU,
+        Node::Inverter => SILENT_INVERTER,
         Node::Bms => SILENT_BMS,
         Node::Dcdc => SILENT_DCDC,
         Node::Steering => SILENT_STEERING,

@@ -5,7 +5,7 @@
 
 use cluster::page::Page;
 use cluster::{Cluster, Inputs, Key, Sound, Trip, View};
-use protocol_core::generated::{bus, c5ev, example, jiulong};
+use protocol_core::generated::{c5ev, citybus, example, jiulong};
 use protocol_core::model::{Severity, Shown, Value};
 use protocol_core::{CanFrame, CanId, Millis, Vehicle};
 use std::fmt;
@@ -213,7 +213,7 @@ fn live_through_a_day(vehicle: &'static Vehicle) {
 
 #[test]
 fn a_day_of_the_bus_on_a_full_bus_breaks_no_invariant() {
-    live_through_a_day(&bus::VEHICLE);
+    live_through_a_day(&citybus::VEHICLE);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use cluster::detect::{DISTINCT, Detector, Dial, Found, KEPT, Sureness};
 use cluster::own::Search;
 use cluster::view::Text;
-use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES, bus, c5ev, example, jiulong};
+use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES, c5ev, citybus, example, jiulong};
 use protocol_core::vehicle::{RxMessage, Vehicle};
 use protocol_core::{CanFrame, CanId, Millis};
 
@@ -173,8 +173,8 @@ fn two_vehicles_that_are_both_likely_are_a_contradiction_and_neither_is_answered
 fn the_search_says_what_it_has_found_and_what_contradicts_it() {
     let mut detector = Detector::new(SHIPPED_VEHICLES);
     assert_eq!(detector.state(Millis(0)), Search::Listening);
-    hear(&mut detector, &bus::VEHICLE, bus::VEHICLE.ids, 100).expect("the bus");
-    let name = Text { zh: bus::VEHICLE.zh, en: bus::VEHICLE.en };
+    hear(&mut detector, &citybus::VEHICLE, citybus::VEHICLE.ids, 100).expect("the bus");
+    let name = Text { zh: citybus::VEHICLE.zh, en: citybus::VEHICLE.en };
     assert_eq!(detector.state(Millis(1_000)), Search::Found { name, at: Millis(120) });
     hear(&mut detector, &jiulong::VEHICLE, &jiulong::VEHICLE.ids[..3], 2_000);
     assert_eq!(detector.state(Millis(2_020)), Search::Contradicted);
@@ -217,12 +217,12 @@ fn noise_says_nothing_and_does_not_interrupt() {
 
 #[test]
 fn an_identifier_of_another_vehicle_starts_the_evidence_anew() {
-    let (ours, theirs) = (bus::VEHICLE.ids, jiulong::VEHICLE.ids);
+    let (ours, theirs) = (citybus::VEHICLE.ids, jiulong::VEHICLE.ids);
     let mut detector = Detector::new(VEHICLES);
     assert!(
-        hear(&mut detector, &bus::VEHICLE, &[ours[0], ours[1], theirs[0], ours[2], ours[3]], 0).is_none()
+        hear(&mut detector, &citybus::VEHICLE, &[ours[0], ours[1], theirs[0], ours[2], ours[3]], 0).is_none()
     );
-    assert!(hear(&mut detector, &bus::VEHICLE, &[ours[0]], 90).is_some());
+    assert!(hear(&mut detector, &citybus::VEHICLE, &[ours[0]], 90).is_some());
     let mut torn = Detector::new(VEHICLES);
     for turn in 0..1_000 {
         let ids = if turn % 2 == 0 { ours } else { theirs };
@@ -233,7 +233,7 @@ fn an_identifier_of_another_vehicle_starts_the_evidence_anew() {
 #[test]
 fn a_vehicle_is_recognised_at_its_own_bit_rate_only() {
     let mut detector = Detector::new(VEHICLES);
-    for (&id, now) in bus::VEHICLE.ids.iter().zip((0..).step_by(10).map(Millis)) {
+    for (&id, now) in citybus::VEHICLE.ids.iter().zip((0..).step_by(10).map(Millis)) {
         assert!(detector.hear(&frame(id), 500_000, now).is_none());
     }
 }
@@ -241,14 +241,16 @@ fn a_vehicle_is_recognised_at_its_own_bit_rate_only() {
 #[test]
 fn what_was_found_stays_found_and_a_contradiction_is_told() {
     let mut detector = Detector::new(VEHICLES);
-    hear(&mut detector, &bus::VEHICLE, bus::VEHICLE.ids, 0).expect("the bus");
+    hear(&mut detector, &citybus::VEHICLE, citybus::VEHICLE.ids, 0).expect("the bus");
     for now in 0..2 {
-        assert!(hear(&mut detector, &bus::VEHICLE, &jiulong::VEHICLE.ids[..2], 1_000 + now * 100).is_none());
+        assert!(
+            hear(&mut detector, &citybus::VEHICLE, &jiulong::VEHICLE.ids[..2], 1_000 + now * 100).is_none()
+        );
         assert!(detector.contradiction(Millis(1_900)).is_none(), "two stray identifiers");
     }
-    assert!(hear(&mut detector, &bus::VEHICLE, &jiulong::VEHICLE.ids[..3], 2_000).is_none());
+    assert!(hear(&mut detector, &citybus::VEHICLE, &jiulong::VEHICLE.ids[..3], 2_000).is_none());
     assert_eq!(detector.contradiction(Millis(2_020)).map(|vehicle| vehicle.name), Some("jiulong"));
-    assert_eq!(detector.found().map(|found| found.vehicle.name), Some("bus"));
+    assert_eq!(detector.found().map(|found| found.vehicle.name), Some("citybus"));
     assert!(detector.contradiction(Millis(7_019)).is_some(), "it was heard less than 5 s ago");
     assert!(detector.contradiction(Millis(7_020)).is_none(), "it is gone");
 }
@@ -296,7 +298,7 @@ fn a_rate_with_frames_survives_errors_and_is_left_when_only_errors_remain() {
 
 #[test]
 fn where_all_vehicles_have_one_rate_errors_change_nothing() {
-    static SAME_RATE: [&Vehicle; 2] = [&bus::VEHICLE, &jiulong::VEHICLE];
+    static SAME_RATE: [&Vehicle; 2] = [&citybus::VEHICLE, &jiulong::VEHICLE];
     let mut dial = Dial::new(&SAME_RATE);
     assert!((0..10_000).step_by(10).all(|now| dial.listen(false, true, Millis(now)).is_none()));
     assert_eq!(dial.bitrate(), 250_000);

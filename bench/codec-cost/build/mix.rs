@@ -1,7 +1,7 @@
 //! The messages that a cluster receives on the bus, and the signals of each that it binds.
 
 use protocol_core::codec::{MessageInfo, SignalInfo};
-use protocol_core::generated::bus;
+use protocol_core::generated::citybus;
 use toml::Value;
 
 /// One message and its bound signals, in the order of the DBC.
@@ -15,12 +15,12 @@ pub fn read(toml: &str) -> Vec<Message> {
     let bindings: toml::Table = toml.parse().expect("vehicle.toml is TOML");
     let message = |name: &str| {
         let info =
-            bus::MESSAGES.iter().find(|info| info.name == name).expect("a received message is in the DBC");
+            citybus::MESSAGES.iter().find(|info| info.name == name).expect("a received message is in the DBC");
         let bound = names(&bindings["rx"][name]);
         let signals = info.signals.iter().filter(|signal| bound.contains(&signal.name)).collect();
         Message { info, signals }
     };
-    bus::VEHICLE.rx.iter().map(|row| message(row.name)).collect()
+    citybus::VEHICLE.rx.iter().map(|row| message(row.name)).collect()
 }
 
 /// Returns every text in a binding that may name a signal.

@@ -22,7 +22,7 @@ pub const MANNERS: &[Manner] = &[
 ];
 
 fn our_frame(name: &str) -> String {
-    format!("let frame = bus::{name}(*data);")
+    format!("let frame = citybus::{name}(*data);")
 }
 
 fn our_counts(signal: &SignalInfo) -> String {

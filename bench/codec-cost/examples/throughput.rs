@@ -3,7 +3,7 @@
 //! FRAMES holds one frame per line, `<name of the message> <16 hex digits>`; the witness reads the same file.
 
 use protocol_core::Readings;
-use protocol_core::generated::bus::VEHICLE;
+use protocol_core::generated::citybus::VEHICLE;
 use std::hint::black_box;
 use std::time::Instant;
 

@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn every_row_names_a_readout_and_a_value_of_the_model() {
-        let readouts = VirtualVehicle::new(Kind::Bus, Options::default()).readouts();
+        let readouts = VirtualVehicle::new(Kind::Citybus, Options::default()).readouts();
         for Row(path, value, _) in ROWS {
             assert!(readouts.iter().any(|readout| readout.path == *path), "no readout {path}");
             assert!(value.is_empty() || Value::from_path(value).is_some(), "no value {value}");

@@ -79,7 +79,7 @@ struct PresetName {
 const DRIVE_50: &[(&str, &str)] = &[
     ("charge.plug", "off"),
     ("driver.key", "start"),
-    ("driver.hand_brake", "off"),
+    ("driver.parking_brake", "off"),
     ("driver.seat_empty", "off"),
     ("driver.brake", "0"),
     ("driver.accelerator", "0"),
@@ -87,14 +87,18 @@ const DRIVE_50: &[(&str, &str)] = &[
     ("driver.target", "50"),
 ];
 
-const STOP: &[(&str, &str)] =
-    &[("driver.accelerator", "0"), ("driver.target", "0"), ("driver.gear", "N"), ("driver.hand_brake", "on")];
+const STOP: &[(&str, &str)] = &[
+    ("driver.accelerator", "0"),
+    ("driver.target", "0"),
+    ("driver.gear", "N"),
+    ("driver.parking_brake", "on"),
+];
 
 const CHARGE: &[(&str, &str)] = &[
     ("driver.accelerator", "0"),
     ("driver.target", "0"),
     ("driver.gear", "N"),
-    ("driver.hand_brake", "on"),
+    ("driver.parking_brake", "on"),
     ("charge.mains", "220"),
     ("charge.plug", "on"),
 ];
@@ -107,7 +111,7 @@ const PRESETS: &[Preset] = &[
 
 /// Settings with which a bench begins: somebody sits there, the vehicle is READY.
 const BEGINNING: &[(&str, &str)] =
-    &[("driver.key", "start"), ("driver.hand_brake", "off"), ("driver.seat_empty", "off")];
+    &[("driver.key", "start"), ("driver.parking_brake", "off"), ("driver.seat_empty", "off")];
 
 /// What a page is told when it comes, and when the bench starts again.
 #[derive(Debug, Serialize)]
@@ -226,7 +230,7 @@ fn has(vehicle: &VirtualVehicle, path: &str) -> bool {
 
 fn choice(kind: Kind) -> Choice {
     let (zh, en) = match kind {
-        Kind::Bus => ("公交车", "City bus"),
+        Kind::Citybus => ("公交车", "City bus"),
         Kind::Jiulong => ("九龙客车", "Jiulong van"),
         Kind::C5ev => ("C5EV 轿车", "C5EV car"),
     };

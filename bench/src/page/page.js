@@ -126,7 +126,7 @@ const FACTORS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 0];
 const PEDALS = { accelerator: "driver.accelerator", brake: "driver.brake" };
 const GEAR = "driver.gear";
 const TARGET = "driver.target";
-const HAND_BRAKE = "driver.hand_brake";
+const PARKING_BRAKE = "driver.parking_brake";
 /** Milliseconds for which a setting by hand is not overwritten by an older one from the bench. */
 const HOLD_MS = 600;
 /** Frames that the page remembers, to look back at when the bus is frozen. */
@@ -772,7 +772,7 @@ function hold(index, down) {
 const DOWN = {
   ArrowUp: () => press("accelerator"), ArrowDown: () => press("brake"), a: () => hold(0, true), b: () => hold(1, true),
   d: () => chooseGear("D"), n: () => chooseGear("N"), r: () => chooseGear("R"), p: () => chooseGear("P"),
-  h: () => rows.has(HAND_BRAKE) && set(HAND_BRAKE, setting(HAND_BRAKE) === 1 ? 0 : 1),
+  h: () => rows.has(PARKING_BRAKE) && set(PARKING_BRAKE, setting(PARKING_BRAKE) === 1 ? 0 : 1),
   " ": togglePause, ".": () => send({ do: "step", slices: 1 }), "-": () => changeFactor(-1), "+": () => changeFactor(1), "=": () => changeFactor(1),
   "/": () => { if (innerWidth < 760) showTab("bus"); $("filter").focus(); }, f: () => freeze(!frozen), s: () => $("shot").click(), o: toggleRecord, m: toggleSound,
   l: () => speak(language === "zh" ? "en" : "zh"), "?": () => $("keys").showModal(),

@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn a_frame_decodes_to_the_signals_of_its_vehicle() {
         let speed = MESSAGES[0].1.iter().find(|message| message.name == "VCU1").unwrap();
-        let id = &messages(Some("bus")).into_iter().find(|message| message.name == "VCU1").unwrap().id;
+        let id = &messages(Some("citybus")).into_iter().find(|message| message.name == "VCU1").unwrap().id;
         let decoded = decode(id, "0000000000000000").unwrap();
         assert_eq!(decoded.len(), speed.signals.len());
         assert!(decoded.iter().any(|signal| signal.name == "vehicle_speed" && signal.unit == "km/h"));

@@ -476,7 +476,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<Scenario> {
-        parse("bus/test.toml", Kind::Bus, text)
+        parse("citybus/test.toml", Kind::Citybus, text)
     }
 
     fn error(steps: &str) -> String {
@@ -524,7 +524,7 @@ mod tests {
         );
         let lines: Vec<&str> = all.lines().collect();
         let has = |line: usize, part: &str| {
-            let place = format!("bus/test.toml:{line}: ");
+            let place = format!("citybus/test.toml:{line}: ");
             assert!(lines.iter().any(|l| l.starts_with(&place) && l.contains(part)), "{line}: {part}\n{all}");
         };
         has(3, "no lamp `redy`; there are turn_left");
@@ -543,13 +543,13 @@ mod tests {
     fn a_file_that_is_no_toml_or_has_an_unknown_key_is_told_with_its_line() {
         assert!(
             error("{ at = 1, expect = { gear = \"R\" }, wihtin = 1 },")
-                .starts_with("bus/test.toml:3: unknown field")
+                .starts_with("citybus/test.toml:3: unknown field")
         );
-        assert!(error("{ at = 1,").starts_with("bus/test.toml:"));
+        assert!(error("{ at = 1,").starts_with("citybus/test.toml:"));
         let text = "title = \"t\"\non = [\"hsot\"]\nrules = [\"R17\"]\nsteps = []\n";
         let error = read(text).unwrap_err().to_string();
-        assert!(error.contains("bus/test.toml:2: `hsot` is no place"), "{error}");
-        assert!(error.contains("bus/test.toml:3: `R17` is not a rule's number"), "{error}");
+        assert!(error.contains("citybus/test.toml:2: `hsot` is no place"), "{error}");
+        assert!(error.contains("citybus/test.toml:3: `R17` is not a rule's number"), "{error}");
         assert!(error.contains("nothing is expected"), "{error}");
     }
 

@@ -230,7 +230,7 @@ fn found(line: Line) -> FoundLine {
 
 /// The cluster's own wires, as the board's pins bring them to the firmware.
 fn inputs(world: &World, buttons: Buttons, conditions: Conditions) -> Inputs {
-    let air = |mpa: f64| (world.kind == Kind::Bus).then_some((mpa * 100.0).round() as u16);
+    let air = |mpa: f64| (world.kind == Kind::Citybus).then_some((mpa * 100.0).round() as u16);
     Inputs {
         key: Key::On,
         doors: Doors { front: world.body.front_door, rear: world.body.rear_door, ..Doors::default() },
@@ -240,7 +240,7 @@ fn inputs(world: &World, buttons: Buttons, conditions: Conditions) -> Inputs {
             ..Lights::default()
         },
         seat_empty: world.driver.seat_empty,
-        hand_brake: world.driver.hand_brake,
+        parking_brake: world.driver.parking_brake,
         smoke: world.body.smoke,
         supply_decivolts: Some(world.supply.volts)
             .filter(|volts| *volts >= SUPPLY_MEASURED)

@@ -129,7 +129,7 @@ pub struct Demand {
 /// A story of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// Folder and file, as in messages: `bus/reverse.toml`.
+    /// Folder and file, as in messages: `citybus/reverse.toml`.
     pub file: String,
     /// Which vehicle.
     pub kind: Kind,

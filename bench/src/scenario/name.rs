@@ -292,7 +292,7 @@ mod tests {
         ];
         let more = ["lamp.battery_fault", "lamp.ready", "battery.soc", "sent.Meter1.driver_left_seat"];
         for name in names.into_iter().chain(more).chain(["health.can_state"]) {
-            match Name::read(name, Kind::Bus) {
+            match Name::read(name, Kind::Citybus) {
                 Ok(read) => assert_eq!(read.to_string(), name),
                 Err(error) => assert!(name.starts_with("sent."), "{error}"),
             }
@@ -301,7 +301,7 @@ mod tests {
 
     #[test]
     fn an_unknown_name_is_told_with_what_there_is() {
-        let error = |name: &str| Name::read(name, Kind::Bus).unwrap_err();
+        let error = |name: &str| Name::read(name, Kind::Citybus).unwrap_err();
         assert!(error("lamp.redy").contains("ready"));
         assert!(error("battery.sock").contains("battery.soc"));
         assert!(error("sent.VCU1.speed").contains("Meter1"));

@@ -224,7 +224,7 @@ mod tests {
 
     fn failures(steps: &str) -> Vec<String> {
         let text = format!("title = \"t\"\nsteps = [\n{steps}\n]\n");
-        let scenario = parse("bus/test.toml", Kind::Bus, &text).unwrap();
+        let scenario = parse("citybus/test.toml", Kind::Citybus, &text).unwrap();
         let mut subject = Script { now_ms: 0, lit: (1_000, 2_000), sound: (1_000, 2_000), broken_at: 60_000 };
         run(&scenario, &mut subject).failures
     }
@@ -249,11 +249,11 @@ mod tests {
         assert!(failures(&step(0.9, 1.99)).is_empty());
         assert_eq!(
             failures(&step(0.9, 2.5)),
-            ["bus/test.toml:3: at 2 s expected lamp.ready on, got off (host)"]
+            ["citybus/test.toml:3: at 2 s expected lamp.ready on, got off (host)"]
         );
         assert_eq!(
             failures(&step(0.8, 1.5)),
-            ["bus/test.toml:3: at 0.9 s expected lamp.ready on, got off (host)"]
+            ["citybus/test.toml:3: at 0.9 s expected lamp.ready on, got off (host)"]
         );
     }
 
@@ -266,7 +266,7 @@ mod tests {
         assert!(failures(&step(2.0, 9.0)).is_empty());
         assert_eq!(
             failures(&step(0.0, 1.0)),
-            ["bus/test.toml:3: at 1 s expected sound never stop, got stop (host)"]
+            ["citybus/test.toml:3: at 1 s expected sound never stop, got stop (host)"]
         );
     }
 
@@ -275,12 +275,12 @@ mod tests {
         assert!(failures("{ at = 1, expect = { health.tec = 5 } },").is_empty());
         let text = "title = \"t\"\nsteps = [\n{ at = 1.2, expect = { lamp.ready = true } },\n\
                     { at = 5, expect = { lamp.ready = false, sound = \"none\" } },\n]\n";
-        let scenario = parse("bus/test.toml", Kind::Bus, text).unwrap();
+        let scenario = parse("citybus/test.toml", Kind::Citybus, text).unwrap();
         let mut subject = Script { now_ms: 0, lit: (1_000, 2_000), sound: (0, 0), broken_at: 3_000 };
         let failures = run(&scenario, &mut subject).failures;
-        assert_eq!(failures[0], "bus/test.toml:1: it broke (host)");
+        assert_eq!(failures[0], "citybus/test.toml:1: it broke (host)");
         assert!(
-            failures[1].contains("bus/test.toml:4: at 5 s expected lamp.ready off, got nothing"),
+            failures[1].contains("citybus/test.toml:4: at 5 s expected lamp.ready off, got nothing"),
             "{failures:?}"
         );
     }

@@ -31,7 +31,7 @@ pub(crate) fn step(world: &mut World) {
     }
     let ready = world.vcu.ready;
     let speed = if world.motion.metres_per_s < 0.0 { -world.motion.kmh() } else { world.motion.kmh() };
-    world.driver.hand_brake &= !ready;
+    world.driver.parking_brake &= !ready;
     if target > 0.0 && matches!(world.driver.gear, Gear::N | Gear::P) && ready {
         world.driver.gear = Gear::D;
     }
@@ -112,8 +112,8 @@ fn set_target(world: &mut World, setting: Setting) {
 }
 
 const CAR: &[Kind] = &[Kind::C5ev];
-const WITHOUT_PARK: &[Kind] = &[Kind::Bus, Kind::Jiulong];
-const BUS: &[Kind] = &[Kind::Bus];
+const WITHOUT_PARK: &[Kind] = &[Kind::Citybus, Kind::Jiulong];
+const BUS: &[Kind] = &[Kind::Citybus];
 const JIULONG: &[Kind] = &[Kind::Jiulong];
 const DRIVER: Group = Group::Driver;
 const BODY: Group = Group::Body;
@@ -157,12 +157,12 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world, setting| world.driver.brake = setting.unwrap_or_default() / 100.0,
     ),
     Control::new(
-        "driver.hand_brake",
+        "driver.parking_brake",
         ["手刹", "Hand brake"],
         DRIVER,
         Takes::Flag,
-        |world| flag(world.driver.hand_brake),
-        |world, setting| world.driver.hand_brake = is_on(setting),
+        |world| flag(world.driver.parking_brake),
+        |world, setting| world.driver.parking_brake = is_on(setting),
     ),
     Control::new(
         "driver.seat_empty",

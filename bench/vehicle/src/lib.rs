@@ -34,7 +34,7 @@ pub(crate) const STEP_S: f64 = STEP_MS as f64 / 1_000.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// The city bus.
-    Bus,
+    Citybus,
     /// The E66/E7/E8/E10 vans and buses.
     Jiulong,
     /// The car.
@@ -43,12 +43,12 @@ pub enum Kind {
 
 impl Kind {
     /// Every vehicle.
-    pub const ALL: [Self; 3] = [Self::Bus, Self::Jiulong, Self::C5ev];
+    pub const ALL: [Self; 3] = [Self::Citybus, Self::Jiulong, Self::C5ev];
 
     /// Returns the name of its folder in `vehicles/`.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Bus => "bus",
+            Self::Citybus => "citybus",
             Self::Jiulong => "jiulong",
             Self::C5ev => "c5ev",
         }

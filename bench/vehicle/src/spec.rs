@@ -117,7 +117,7 @@ impl Spec {
 /// Returns the figures of a vehicle.
 pub(crate) fn of(kind: Kind) -> &'static Spec {
     match kind {
-        Kind::Bus => &BUS,
+        Kind::Citybus => &BUS,
         Kind::Jiulong => &JIULONG,
         Kind::C5ev => &C5EV,
     }

@@ -51,7 +51,7 @@ pub struct Driver {
     /// Gear lever.
     pub gear: Gear,
     /// Parking brake set.
-    pub hand_brake: bool,
+    pub parking_brake: bool,
     /// Nobody sits on the seat.
     pub seat_empty: bool,
     /// Speed to hold in km/h in place of the pedals: a driver who does it by himself.
@@ -754,7 +754,7 @@ pub struct Meter {
     /// The driver has left the seat (BUS-R129).
     pub seat_left: bool,
     /// Parking brake as the cluster reports it.
-    pub hand_brake: bool,
+    pub parking_brake: bool,
     /// Total distance in km.
     pub odometer_km: Option<f64>,
     /// Remote upgrade is forbidden (JL-R031).

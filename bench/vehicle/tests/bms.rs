@@ -114,7 +114,7 @@ fn near(actual: f64, expected: f64) -> bool {
 fn check(witness: &Witness) {
     let &Witness { rule, code, level, with, path, not_yet, set, holds, clear, left } = witness;
     let at = |what: &str| format!("BUS-R{rule:03} code {code}: {what}");
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     for &(path, setting) in with {
         put(&mut rig, path, setting);
     }
@@ -202,7 +202,7 @@ fn bus_r116_broken_current_sensor_limps() {
 
 #[test]
 fn bus_r095_spread_is_not_monitored_while_charging() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.lowest_cell", 3.0);
     assert!(is_active(&rig, 104, 1));
     put(&mut rig, "charge.plug", 1.0);
@@ -211,14 +211,14 @@ fn bus_r095_spread_is_not_monitored_while_charging() {
 
 #[test]
 fn bus_r113_socket_is_monitored_only_while_charging() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.socket", 130.0);
     assert!(rig.world().bms.active.is_empty());
 }
 
 #[test]
 fn cold_thresholds_begin_below_freezing() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     for (path, setting) in
         [("battery.hottest", 5.0), ("battery.highest_cell", 3.0), ("battery.lowest_cell", 2.79)]
     {
@@ -226,7 +226,7 @@ fn cold_thresholds_begin_below_freezing() {
     }
     put(&mut rig, "battery.coldest", 0.0);
     assert!(is_active(&rig, 103, 1), "warm at the freezing point");
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.hottest", 5.0);
     put(&mut rig, "battery.coldest", -0.1);
     put(&mut rig, "battery.highest_cell", 3.0);
@@ -236,7 +236,7 @@ fn cold_thresholds_begin_below_freezing() {
 
 #[test]
 fn bus_r098_pack_undervoltage_is_not_judged_in_the_cold() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.volts", 430.0);
     assert!(is_active(&rig, 101, 1));
     put(&mut rig, "battery.hottest", 5.0);
@@ -246,7 +246,7 @@ fn bus_r098_pack_undervoltage_is_not_judged_in_the_cold() {
 
 #[test]
 fn bus_r115_silence_of_the_vehicle_controller_limps_after_five_seconds() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.start();
     rig.set("link.vcu", 1.0);
     let silence = |rig: &Rig| {
@@ -278,7 +278,7 @@ fn bus_r081_limp_takes_the_smaller_of_sixty_amperes_and_a_third_of_the_capacity(
 
 #[test]
 fn bus_r026_to_bus_r028_only_codes_of_the_worst_level_one_second_each() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.volts", 430.0);
     assert_eq!(rig.world().bms.code, 101, "level 1 alone");
     rig.set("battery.internal_bus", 1.0);
@@ -303,7 +303,7 @@ fn bus_r026_to_bus_r028_only_codes_of_the_worst_level_one_second_each() {
 
 #[test]
 fn different_faults_each_take_half() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.soc", 50.0);
     let whole = limits(&rig).1;
     put(&mut rig, "battery.soc", 15.0);
@@ -329,7 +329,7 @@ const EXTREMES: &[(Settings, &str, f64, f64)] = &[
 #[test]
 fn bus_r073_to_bus_r075_extreme_limits_ask_for_high_voltage_to_be_opened() {
     for &(with, path, not_yet, set) in EXTREMES {
-        let mut rig = Rig::new(Kind::Bus);
+        let mut rig = Rig::new(Kind::Citybus);
         rig.start();
         for &(path, setting) in with {
             put(&mut rig, path, setting);
@@ -347,7 +347,7 @@ fn bus_r073_to_bus_r075_extreme_limits_ask_for_high_voltage_to_be_opened() {
 
 #[test]
 fn bus_r065_vehicle_opens_high_voltage_in_five_seconds_and_it_stays_open() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.start();
     put(&mut rig, "battery.coldest", 58.0);
     rig.set("battery.hottest", 66.0);
@@ -368,7 +368,7 @@ fn bus_r065_vehicle_opens_high_voltage_in_five_seconds_and_it_stays_open() {
 
 /// Steps from the request to open until the main coil is released, with a vehicle that does not answer.
 fn steps_until_opened(path: &str, setting: f64) -> usize {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.start();
     rig.set("vcu.ignores_hv_off", 1.0);
     rig.set(path, setting);
@@ -400,7 +400,7 @@ fn bus_r078_fire_warning_opens_after_thirty_five_seconds_too() {
 
 #[test]
 fn bus_r077_bus_r079_bus_r117_fire_is_latched_until_power_off() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.coldest", 60.0);
     put(&mut rig, "battery.hottest", 74.9);
     assert!(!rig.world().bms.fire && !is_active(&rig, 24, 3));
@@ -423,7 +423,7 @@ fn bus_r077_bus_r079_bus_r117_fire_is_latched_until_power_off() {
 
 #[test]
 fn bus_r063_discharge_is_positive_and_charge_negative() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     put(&mut rig, "battery.amps", 123.4);
     rig.wait_ms(600);
     assert_eq!(rig.raw("BMS1", "pack_current"), 11_234);
@@ -450,7 +450,7 @@ fn bus_r068_to_bus_r070_double_relays_are_welded_if_either_is_and_closed_if_both
     for (pair, state) in cases {
         assert_eq!(Contactor::pair_state(&pair), state, "{pair:?}");
     }
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     let wire = [
         ("charge_1_relay", "battery.charge_1_welded", "battery.charge_1b_welded"),
         ("charge_2_relay", "battery.charge_2_welded", "battery.charge_2b_welded"),
@@ -470,7 +470,7 @@ fn bus_r068_to_bus_r070_double_relays_are_welded_if_either_is_and_closed_if_both
 
 #[test]
 fn bus_r069_bus_r070_charge_circuit_with_one_relay_stuck_is_open() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.charge_1b_stuck", 1.0);
     rig.set("charge.plug", 1.0);
     rig.wait_ms(5_000);
@@ -483,7 +483,7 @@ fn bus_r069_bus_r070_charge_circuit_with_one_relay_stuck_is_open() {
 
 #[test]
 fn bus_r036_main_closes_only_when_the_link_has_come_up_to_ninety_five_percent() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.say("driver.key", "start");
     rig.wait_until(2_000, |world| world.bms.precharge.closed && world.bms.negative.closed);
     let mut last = 0.0;
@@ -502,7 +502,7 @@ fn bus_r036_main_closes_only_when_the_link_has_come_up_to_ninety_five_percent() 
 
 #[test]
 fn bus_r036_without_vcu3_the_battery_knows_neither_the_wish_nor_the_link_voltage() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("lost.VCU3", 1.0);
     rig.wait_ms(1_000);
     rig.say("driver.key", "start");
@@ -519,7 +519,7 @@ fn bus_r036_without_vcu3_the_battery_knows_neither_the_wish_nor_the_link_voltage
 
 #[test]
 fn bus_r034_precharge_that_does_not_come_up_keeps_main_open_and_has_no_code() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.precharge_stuck", 1.0);
     rig.say("driver.key", "start");
     rig.wait_ms(7_000);
@@ -530,13 +530,13 @@ fn bus_r034_precharge_that_does_not_come_up_keeps_main_open_and_has_no_code() {
 
 #[test]
 fn bus_r109_welded_main_contactor_is_found_when_it_should_open() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.start();
     put(&mut rig, "battery.main_welded", 1.0);
     assert!(!is_active(&rig, 72, 2), "closed as it should be");
     rig.wait_ms(600);
     assert_eq!(rig.raw("BMS1", "main_relay"), 3);
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.main_welded", 1.0);
     rig.wait_ms(500);
     assert!(is_active(&rig, 72, 2));
@@ -544,7 +544,7 @@ fn bus_r109_welded_main_contactor_is_found_when_it_should_open() {
 
 #[test]
 fn bus_r109_main_contactor_that_does_not_close_is_a_fault() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.main_stuck", 1.0);
     rig.say("driver.key", "start");
     rig.wait_until(5_000, |world| world.bms.main.driven);
@@ -556,7 +556,7 @@ fn bus_r109_main_contactor_that_does_not_close_is_a_fault() {
 
 #[test]
 fn bus_r064_soc_that_is_set_moves_the_cells() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     for percent in [100.0, 50.0, 5.0] {
         put(&mut rig, "battery.soc", percent);
         let cells = &rig.world().pack.cell_soc;
@@ -568,7 +568,7 @@ fn bus_r064_soc_that_is_set_moves_the_cells() {
 
 #[test]
 fn bus_r066_severity_is_inverted_on_the_wire() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.wait_ms(600);
     assert_eq!(rig.raw("BMS1", "fault_level"), 0, "no fault");
     for (path, raw) in [("battery.volts", 3), ("battery.internal_bus", 2), ("battery.interlock", 1)] {
@@ -580,7 +580,7 @@ fn bus_r066_severity_is_inverted_on_the_wire() {
 
 #[test]
 fn bus_r144_insulation_frame_comes_from_the_battery_s_own_box() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("insulation.kiloohm", 1_234.0);
     rig.wait_ms(1_100);
     assert_eq!(rig.raw("Insulation", "positive_resistance"), 1_234);

@@ -3,7 +3,7 @@
 mod battery_rig;
 
 use battery_rig::Rig;
-use protocol_core::generated::bus;
+use protocol_core::generated::citybus;
 use protocol_core::model::Severity;
 use protocol_core::vehicle::Node;
 use virtual_vehicle::world::ChargeState;
@@ -44,7 +44,7 @@ fn charging_ends_with_full_cells_that_nobody_complains_of() {
     for kind in Kind::ALL {
         let mut rig = Rig::new(kind);
         rig.set("battery.soc", 97.0);
-        if kind == Kind::Bus {
+        if kind == Kind::Citybus {
             rig.set("battery.charge_interval", 9.0);
         }
         charge(&mut rig);
@@ -70,7 +70,7 @@ fn charging_ends_with_full_cells_that_nobody_complains_of() {
 
 #[test]
 fn bus_r084_charging_that_is_broken_off_does_not_clear_the_count() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.charge_interval", 9.0);
     rig.set("battery.soc", 50.0);
     charge_fully(&mut rig);
@@ -81,7 +81,7 @@ fn bus_r084_charging_that_is_broken_off_does_not_clear_the_count() {
 
 #[test]
 fn bus_r154_charger_delivers_only_while_enabled() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     assert!(!rig.world().bms.charger_enabled, "off until there is something to charge");
     charge_fully(&mut rig);
@@ -99,9 +99,9 @@ fn bus_r154_charger_delivers_only_while_enabled() {
 
 #[test]
 fn bus_r146_without_an_on_board_charger_nobody_sends_its_frame() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     vehicle.set("charge.plug", Some(1.0)).unwrap();
-    let charger = bus::MESSAGES.iter().find(|info| info.name == "ChargerTx").unwrap().id;
+    let charger = citybus::MESSAGES.iter().find(|info| info.name == "ChargerTx").unwrap().id;
     for _ in 0..300 {
         vehicle.advance();
         assert!(vehicle.take_frames().iter().all(|sent| sent.frame.id != charger));
@@ -111,9 +111,9 @@ fn bus_r146_without_an_on_board_charger_nobody_sends_its_frame() {
 
 #[test]
 fn bus_r030_battery_does_not_command_the_converter_while_charging() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     vehicle.set("charge.plug", Some(1.0)).unwrap();
-    let order = bus::MESSAGES.iter().find(|info| info.name == "VCU6").unwrap().id;
+    let order = citybus::MESSAGES.iter().find(|info| info.name == "VCU6").unwrap().id;
     let mut senders = Vec::new();
     for _ in 0..300 {
         vehicle.advance();
@@ -125,7 +125,7 @@ fn bus_r030_battery_does_not_command_the_converter_while_charging() {
 
 #[test]
 fn bus_r076_extreme_heat_ends_charging_for_good() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     charge_fully(&mut rig);
     rig.set("battery.coldest", 58.0);
@@ -144,7 +144,7 @@ fn bus_r076_extreme_heat_ends_charging_for_good() {
 
 #[test]
 fn bus_r113_hot_socket_halves_the_current_and_bus_r114_ends_it() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     charge_fully(&mut rig);
     let whole = rig.world().bms.charge_limit_amps;
@@ -175,7 +175,7 @@ fn bus_r153_jl_r028_c5_r010_wrong_mains_stops_the_charger() {
 
 #[test]
 fn a_dead_mains_is_a_pause_and_not_a_fault() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     charge(&mut rig);
     rig.set("charge.mains", 0.0);
@@ -189,7 +189,7 @@ fn a_dead_mains_is_a_pause_and_not_a_fault() {
 
 #[test]
 fn bus_r152_jl_r029_reversed_battery_does_not_start() {
-    for kind in [Kind::Bus, Kind::Jiulong] {
+    for kind in [Kind::Citybus, Kind::Jiulong] {
         let mut rig = Rig::new(kind);
         rig.set("charge.reversed", 1.0);
         rig.set("charge.plug", 1.0);
@@ -200,7 +200,7 @@ fn bus_r152_jl_r029_reversed_battery_does_not_start() {
 
 #[test]
 fn bus_r147_to_bus_r151_charger_reports_the_worst_level_by_code_range() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     charge_fully(&mut rig);
     let whole = rig.world().charger.amps;
@@ -221,7 +221,7 @@ fn bus_r147_to_bus_r151_charger_reports_the_worst_level_by_code_range() {
 
 #[test]
 fn bus_r150_codes_of_one_level_take_turns_of_one_second() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("charge.plug", 1.0);
     rig.set("charge.fault_code_1", 102.0);
     rig.set("charge.fault_code_2", 105.0);
@@ -256,7 +256,7 @@ fn jl_r027_jl_r030_charger_current_is_negative_and_its_level_inverted() {
 
 #[test]
 fn bus_r037_pantograph_charges_through_circuit_two_when_the_vehicle_enables_it() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     rig.set("charge.pantograph", 1.0);
     rig.wait_until(60_000, |world| world.bms.charge == ChargeState::Charging && world.charger.amps > 100.0);
@@ -270,7 +270,7 @@ fn bus_r037_pantograph_charges_through_circuit_two_when_the_vehicle_enables_it()
 
 #[test]
 fn a_freezing_battery_is_heated_before_it_is_charged() {
-    let mut rig = Rig::new(Kind::Bus);
+    let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     rig.set("battery.hottest", 2.0);
     rig.set("battery.coldest", -3.0);
@@ -358,7 +358,7 @@ fn c5_r005_main_relay_opens_after_five_seconds_without_the_charger() {
 
 #[test]
 fn c5_r007_bus_r154_charger_switches_off_after_five_seconds_without_orders() {
-    for (kind, message) in [(Kind::C5ev, "ChargerControl"), (Kind::Bus, "ChargerRx")] {
+    for (kind, message) in [(Kind::C5ev, "ChargerControl"), (Kind::Citybus, "ChargerRx")] {
         let mut rig = Rig::new(kind);
         rig.set("battery.soc", 50.0);
         charge_fully(&mut rig);

@@ -55,7 +55,7 @@ fn energy_of_a_city_cycle_balances_within_one_percent() {
 
 #[test]
 fn a_bus_uses_about_one_kilowatt_hour_per_kilometre_in_town() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     city(&mut ride);
     let per_km = drawn(ride.world()) / 3.6e6 / ride.read("vehicle.distance");
     assert!((0.6..1.4).contains(&per_km), "{per_km} kWh/km");
@@ -76,7 +76,7 @@ fn a_hill_charges_the_pack() {
 
 #[test]
 fn top_speed_is_that_of_the_class() {
-    for (kind, kmh) in [(Kind::Bus, 80.0), (Kind::Jiulong, 100.0), (Kind::C5ev, 120.0)] {
+    for (kind, kmh) in [(Kind::Citybus, 80.0), (Kind::Jiulong, 100.0), (Kind::C5ev, 120.0)] {
         let mut ride = Ride::ready(kind);
         ride.set("driver.gear", "D").set("driver.accelerator", "100").seconds(120);
         let speed = ride.read("vehicle.speed");
@@ -94,21 +94,21 @@ fn a_standing_vehicle_stands_and_does_not_drift() {
         assert_eq!((ride.read("vehicle.speed"), ride.read("vehicle.distance")), (0.0, 0.0), "{kind:?}");
         ride.set("road.slope", "10").set("driver.brake", "50").seconds(60);
         assert_eq!(ride.read("vehicle.distance"), 0.0, "{kind:?} on a slope with the brake");
-        ride.set("driver.brake", "0").set("driver.hand_brake", "on").seconds(60);
+        ride.set("driver.brake", "0").set("driver.parking_brake", "on").seconds(60);
         assert_eq!(ride.read("vehicle.distance"), 0.0, "{kind:?} on a slope with the hand brake");
     }
 }
 
 #[test]
 fn a_vehicle_without_brakes_rolls_down_a_slope() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("road.slope", "5").seconds(10);
     assert!(ride.world().motion.metres_per_s < -1.0);
 }
 
 #[test]
 fn a_full_brake_stops_the_bus_from_50_in_a_believable_distance_and_leaves_it_standing() {
-    let mut ride = Ride::at(Kind::Bus, "50");
+    let mut ride = Ride::at(Kind::Citybus, "50");
     let from = ride.read("vehicle.distance");
     ride.set("driver.target", "auto").set("driver.brake", "100").seconds(10);
     let metres = 1_000.0 * (ride.read("vehicle.distance") - from);
@@ -142,7 +142,7 @@ fn the_driver_holds_a_speed_uphill_and_downhill() {
 
 #[test]
 fn the_driver_stops_and_starts_again_without_rolling_back() {
-    let mut ride = Ride::at(Kind::Bus, "30");
+    let mut ride = Ride::at(Kind::Citybus, "30");
     ride.set("road.slope", "5").set("driver.target", "0").seconds(30);
     assert_eq!(ride.read("vehicle.speed"), 0.0);
     ride.set("driver.target", "30");
@@ -154,7 +154,7 @@ fn the_driver_stops_and_starts_again_without_rolling_back() {
 
 #[test]
 fn work_warms_the_motor_and_rest_cools_it() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("road.slope", "6").set("driver.target", "50").seconds(300);
     let hot = ride.read("motor.temperature");
     assert!((35.0..140.0).contains(&hot), "{hot}");
@@ -164,7 +164,8 @@ fn work_warms_the_motor_and_rest_cools_it() {
 
 #[test]
 fn the_range_fits_the_consumption() {
-    for (kind, km) in [(Kind::Bus, 60.0..200.0), (Kind::Jiulong, 80.0..280.0), (Kind::C5ev, 70.0..230.0)] {
+    for (kind, km) in [(Kind::Citybus, 60.0..200.0), (Kind::Jiulong, 80.0..280.0), (Kind::C5ev, 70.0..230.0)]
+    {
         let mut ride = Ride::ready(kind);
         city(&mut ride);
         let range = ride.read("vehicle.range");
@@ -175,7 +176,7 @@ fn the_range_fits_the_consumption() {
 #[test]
 fn the_same_settings_give_the_same_vehicle() {
     let run = || {
-        let mut ride = Ride::ready(Kind::Bus);
+        let mut ride = Ride::ready(Kind::Citybus);
         city(&mut ride);
         ride.world().clone()
     };

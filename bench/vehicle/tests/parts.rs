@@ -2,50 +2,50 @@
 
 mod ride;
 
-use protocol_core::generated::bus;
+use protocol_core::generated::citybus;
 use ride::Ride;
 use virtual_vehicle::Kind;
 
-fn pump(ride: &Ride) -> bus::SteeringPump {
-    bus::SteeringPump(ride.frame(bus::id::STEERING_PUMP))
+fn pump(ride: &Ride) -> citybus::SteeringPump {
+    citybus::SteeringPump(ride.frame(citybus::id::STEERING_PUMP))
 }
 
-fn converter(ride: &Ride) -> bus::Dcdc {
-    bus::Dcdc(ride.frame(bus::id::DCDC))
+fn converter(ride: &Ride) -> citybus::Dcdc {
+    citybus::Dcdc(ride.frame(citybus::id::DCDC))
 }
 
-fn compressor(ride: &Ride) -> bus::AirPump {
-    bus::AirPump(ride.frame(bus::id::AIR_PUMP))
+fn compressor(ride: &Ride) -> citybus::AirPump {
+    citybus::AirPump(ride.frame(citybus::id::AIR_PUMP))
 }
 
-fn hvac(ride: &Ride) -> bus::Hvac {
-    bus::Hvac(ride.frame(bus::id::HVAC))
+fn hvac(ride: &Ride) -> citybus::Hvac {
+    citybus::Hvac(ride.frame(citybus::id::HVAC))
 }
 
 /// A bus with the air conditioning on, in a cabin of so many degrees, with so much charge.
 fn conditioned(cabin: &str, soc: &str) -> Ride {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("battery.soc", soc).set("hvac.cabin", cabin).set("driver.air_conditioning", "on").seconds(10);
     ride
 }
 
 #[test]
 fn bus_r040_the_steering_pump_obeys_after_start_and_0_means_its_default() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.seconds(3);
     assert_eq!((pump(&ride).status_raw(), pump(&ride).motor_speed_raw()), (0, 0), "no start command");
     ride.set("driver.key", "start").seconds(5);
-    assert_eq!(bus::Vcu4(ride.frame(bus::id::VCU4)).frequency_raw(), 0);
+    assert_eq!(citybus::Vcu4(ride.frame(citybus::id::VCU4)).frequency_raw(), 0);
     assert_eq!((pump(&ride).status_raw(), ride.read("steering.speed")), (1, 1_500.0));
     ride.set("driver.target", "40").seconds(30);
-    let hertz = f64::from(bus::Vcu4(ride.frame(bus::id::VCU4)).frequency_raw());
+    let hertz = f64::from(citybus::Vcu4(ride.frame(citybus::id::VCU4)).frequency_raw());
     assert!(hertz > 0.0);
     assert_eq!(ride.read("steering.speed"), 30.0 * hertz, "two pole pairs");
 }
 
 #[test]
 fn bus_r118_the_pump_is_under_external_control_only_while_that_is_valid() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.seconds(3);
     assert_eq!(pump(&ride).external_control_raw(), 0, "power-up default");
     ride.set("driver.target", "40").seconds(30);
@@ -63,7 +63,7 @@ fn bus_r118_the_pump_is_under_external_control_only_while_that_is_valid() {
 
 #[test]
 fn bus_r118_a_pump_that_hears_nothing_goes_on_as_it_was() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.seconds(3).set("lost.VCU4", "on").seconds(2);
     // The plug ends READY, and with it the command; the link stays live for the converter.
     ride.set("charge.plug", "on").seconds(3);
@@ -74,7 +74,7 @@ fn bus_r118_a_pump_that_hears_nothing_goes_on_as_it_was() {
 
 #[test]
 fn a_part_with_a_fault_stands_and_says_so() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("air.mpa", "0.5").seconds(5);
     assert_eq!(
         [pump(&ride).status_raw(), converter(&ride).status_raw(), compressor(&ride).status_raw()],
@@ -94,7 +94,7 @@ fn a_part_with_a_fault_stands_and_says_so() {
 #[test]
 fn bus_r042_the_air_conditioning_does_not_start_below_25_volts() {
     let starts = |volts: &str| {
-        let mut ride = Ride::ready(Kind::Bus);
+        let mut ride = Ride::ready(Kind::Citybus);
         ride.set("supply.volts", volts)
             .set("hvac.cabin", "30")
             .set("driver.air_conditioning", "on")
@@ -143,7 +143,7 @@ fn bus_r140_a_running_compressor_goes_on_between_20_and_30_percent_at_half_power
 
 #[test]
 fn bus_r044_cooling_waits_for_permit_and_precharge() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("hvac.cabin", "35").set("driver.air_conditioning", "on");
     let fan = ride.until("fan", 10, |ride| ride.world().hvac.fan > 0);
     let cold = fan + ride.until("cooling", 10, |ride| ride.world().hvac.cooling);
@@ -154,21 +154,21 @@ fn bus_r044_cooling_waits_for_permit_and_precharge() {
 fn bus_r045_a_fault_that_the_reset_clears_is_forgotten_and_one_that_stays_stops_it() {
     let mut ride = conditioned("35", "80");
     ride.set("hvac.fault", "pressure_fault").ms(500);
-    assert_eq!(bus::Vcu5(ride.frame(bus::id::VCU5)).reset_raw(), 1);
+    assert_eq!(citybus::Vcu5(ride.frame(citybus::id::VCU5)).reset_raw(), 1);
     assert!(ride.world().hvac.on);
     ride.set("hvac.fault", "none").seconds(5);
     assert!(ride.world().hvac.on && ride.world().hvac.cooling);
     ride.set("hvac.fault", "inverter_fault").seconds(5);
     assert!(!ride.world().hvac.on);
-    assert_eq!(bus::Vcu5(ride.frame(bus::id::VCU5)).reset_raw(), 0, "tried once");
+    assert_eq!(citybus::Vcu5(ride.frame(citybus::id::VCU5)).reset_raw(), 0, "tried once");
     assert_eq!(hvac(&ride).inverter_fault_raw(), 1);
 }
 
 #[test]
 fn bus_r047_a_threshold_of_0_leaves_the_converter_to_its_own() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.seconds(3);
-    let said = bus::Vcu6(ride.frame(bus::id::VCU6));
+    let said = citybus::Vcu6(ride.frame(citybus::id::VCU6));
     assert_eq!((said.input_voltage_limit_raw(), said.start_battery_voltage_raw()), (0, 0));
     assert!(ride.world().dcdc.running);
     ride.set("vcu.dcdc_input_limit", "900").seconds(3);
@@ -181,19 +181,19 @@ fn bus_r047_a_threshold_of_0_leaves_the_converter_to_its_own() {
 
 #[test]
 fn bus_r048_aa_starts_the_converter_and_55_lets_it_stand_by() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.seconds(2);
-    assert_eq!(bus::Vcu6(ride.frame(bus::id::VCU6)).command_raw(), 0x55);
+    assert_eq!(citybus::Vcu6(ride.frame(citybus::id::VCU6)).command_raw(), 0x55);
     assert_eq!(converter(&ride).status_raw(), 0);
     ride.set("driver.key", "start").seconds(4);
-    assert_eq!(bus::Vcu6(ride.frame(bus::id::VCU6)).command_raw(), 0xAA);
+    assert_eq!(citybus::Vcu6(ride.frame(citybus::id::VCU6)).command_raw(), 0xAA);
     assert_eq!(converter(&ride).status_raw(), 1);
     assert!((27.0..28.0).contains(&ride.read("supply.volts")));
 }
 
 #[test]
 fn without_the_converter_the_auxiliary_battery_runs_down() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("dcdc.fault_code", "1").seconds(2);
     let before = ride.read("supply.volts");
     ride.seconds(1_800);
@@ -203,10 +203,10 @@ fn without_the_converter_the_auxiliary_battery_runs_down() {
 
 #[test]
 fn bus_r052_the_compressor_fills_the_reservoirs_at_its_default_frequency() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("air.mpa", "0.6").seconds(3);
     // VCU8 has the layout of VCU4.
-    let said = bus::Vcu4(ride.frame(bus::id::VCU8));
+    let said = citybus::Vcu4(ride.frame(citybus::id::VCU8));
     assert_eq!((said.run_raw(), said.frequency_raw()), (1, 0));
     assert_eq!(ride.read("compressor.speed"), 1_500.0);
     ride.set("air.mpa", "auto").seconds(60);
@@ -216,14 +216,14 @@ fn bus_r052_the_compressor_fills_the_reservoirs_at_its_default_frequency() {
 
 #[test]
 fn bus_r052_without_a_start_command_the_compressor_stands() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("air.mpa", "0.3").seconds(5);
     assert_eq!((compressor(&ride).status_raw(), ride.read("compressor.speed")), (0, 0.0));
 }
 
 #[test]
 fn braking_uses_air_and_holding_the_pedal_does_not() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     let rest = ride.read("air.front");
     ride.set("driver.brake", "100").seconds(1);
     let pressed = ride.read("air.front");
@@ -249,7 +249,7 @@ fn bus_r133_after_10_s_without_vcu5_there_is_an_alarm_and_the_cooling_goes_on() 
 
 #[test]
 fn bus_r133_one_that_is_off_raises_no_alarm() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("lost.VCU5", "on").seconds(15);
     assert!(!ride.world().hvac.communication_alarm);
 }
@@ -289,8 +289,8 @@ fn bus_r142_cooling_ends_at_22_and_heating_at_32_degrees() {
 
 #[test]
 fn bus_r144_the_monitor_in_the_battery_box_sends_the_insulation_frame() {
-    let mut ride = Ride::ready(Kind::Bus);
-    let said = |ride: &Ride| bus::Insulation(ride.frame(bus::id::INSULATION));
+    let mut ride = Ride::ready(Kind::Citybus);
+    let said = |ride: &Ride| citybus::Insulation(ride.frame(citybus::id::INSULATION));
     ride.seconds(4);
     assert_eq!((said(&ride).leakage_level_raw(), said(&ride).positive_resistance_raw()), (0, 5_000));
     // 540 V nominal: 500 ohm per volt are 270 kohm, 100 are 54.
@@ -299,7 +299,7 @@ fn bus_r144_the_monitor_in_the_battery_box_sends_the_insulation_frame() {
         assert_eq!(said(&ride).leakage_level_raw(), level, "{kiloohm} kohm");
     }
     assert_eq!(
-        bus::Vcu1(ride.frame(bus::id::VCU1)).system_fault_raw(),
+        citybus::Vcu1(ride.frame(citybus::id::VCU1)).system_fault_raw(),
         1,
         "leakage is a system fault (BUS-R023)"
     );

@@ -2,7 +2,7 @@
 
 mod ride;
 
-use protocol_core::generated::{bus, c5ev, jiulong};
+use protocol_core::generated::{c5ev, citybus, jiulong};
 use protocol_core::model::Severity;
 use protocol_core::vehicle::Node;
 use ride::Ride;
@@ -10,16 +10,16 @@ use std::collections::BTreeSet;
 use virtual_vehicle::world::Gear;
 use virtual_vehicle::{Kind, Options, VirtualVehicle};
 
-fn vcu1(ride: &Ride) -> bus::Vcu1 {
-    bus::Vcu1(ride.frame(bus::id::VCU1))
+fn vcu1(ride: &Ride) -> citybus::Vcu1 {
+    citybus::Vcu1(ride.frame(citybus::id::VCU1))
 }
 
-fn vcu3(ride: &Ride) -> bus::Vcu3 {
-    bus::Vcu3(ride.frame(bus::id::VCU3))
+fn vcu3(ride: &Ride) -> citybus::Vcu3 {
+    citybus::Vcu3(ride.frame(citybus::id::VCU3))
 }
 
-fn vcu7(ride: &Ride) -> bus::Vcu7 {
-    bus::Vcu7(ride.frame(bus::id::VCU7))
+fn vcu7(ride: &Ride) -> citybus::Vcu7 {
+    citybus::Vcu7(ride.frame(citybus::id::VCU7))
 }
 
 fn to_cluster(ride: &Ride) -> c5ev::VcuToCluster {
@@ -30,7 +30,7 @@ fn to_cluster(ride: &Ride) -> c5ev::VcuToCluster {
 fn a_speed_to_hold_is_all_that_a_newcomer_sets() {
     for kind in Kind::ALL {
         let mut ride = Ride::new(kind);
-        ride.set("driver.hand_brake", "on").set("driver.target", "50").seconds(60);
+        ride.set("driver.parking_brake", "on").set("driver.target", "50").seconds(60);
         let kmh = ride.read("vehicle.speed");
         assert!((49.0..51.5).contains(&kmh), "{kind:?} drives at {kmh} km/h");
     }
@@ -47,7 +47,7 @@ fn a_gear_and_a_foot_drive_off_with_the_key_on() {
 
 #[test]
 fn a_key_that_is_turned_off_stays_off_whatever_the_driver_holds() {
-    let mut ride = Ride::at(Kind::Bus, "40");
+    let mut ride = Ride::at(Kind::Citybus, "40");
     ride.set("driver.key", "lock").seconds(60);
     assert_eq!((ride.world().vcu.ready, ride.read("vehicle.speed")), (false, 0.0));
     ride.set("driver.key", "on").seconds(60);
@@ -81,7 +81,7 @@ fn ready_follows_precharge_and_comes_within_three_seconds() {
 
 #[test]
 fn key_off_takes_ready_and_high_voltage_away() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("driver.key", "lock").ms(200);
     assert!(!ride.world().vcu.ready && !ride.world().bms.main.closed);
     ride.set("driver.key", "on").seconds(3);
@@ -99,7 +99,7 @@ fn a_plug_keeps_the_vehicle_where_it_is() {
 
 #[test]
 fn bus_r014_without_a_gearbox_only_d_r_and_n_are_sent() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     let mut seen = BTreeSet::new();
     for (lever, code) in [("D", 1), ("N", 4), ("R", 2), ("N", 4)] {
         ride.set("driver.gear", lever);
@@ -113,17 +113,17 @@ fn bus_r014_without_a_gearbox_only_d_r_and_n_are_sent() {
 
 #[test]
 fn bus_r018_no_special_mode_is_sent_by_a_bus_without_any() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("driver.target", "30");
     ride.watch(30, |ride| {
-        let mode = ride.fresh(bus::id::VCU1).map_or(0, |data| bus::Vcu1(data).drive_mode_raw());
+        let mode = ride.fresh(citybus::id::VCU1).map_or(0, |data| citybus::Vcu1(data).drive_mode_raw());
         assert!(matches!(mode, 0 | 3), "neither snow (1) nor climb (2): {mode}");
     });
 }
 
 #[test]
 fn bus_r019_a_digital_brake_pedal_is_sent_as_nothing_or_all() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("driver.brake", "40").ms(50);
     assert_eq!(vcu1(&ride).brake_pedal_raw(), 100, "0.4 % a bit");
     ride.set("driver.digital_brake", "on").set("driver.brake", "1").ms(50);
@@ -134,7 +134,7 @@ fn bus_r019_a_digital_brake_pedal_is_sent_as_nothing_or_all() {
 
 #[test]
 fn bus_r026_bus_r027_bus_r029_only_codes_of_the_highest_level_are_sent() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("vcu.fault_level_1", "11").seconds(2);
     assert_eq!((vcu7(&ride).fault_level_raw(), vcu7(&ride).dtc_raw()), (1, 11));
     ride.set("vcu.fault_level_2", "22").seconds(2);
@@ -153,20 +153,22 @@ fn bus_r026_bus_r027_bus_r029_only_codes_of_the_highest_level_are_sent() {
 
 #[test]
 fn bus_r028_codes_of_one_level_take_turns_of_a_second() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("vcu.fault_level_1", "11").set("vcu.fault_level_2", "21").set("vcu.fault_level_2b", "22");
     let mut turns = Vec::new();
     ride.watch(8, |ride| turns.push(ride.world().vcu.code));
     let lengths: Vec<_> = turns.chunk_by(|a, b| a == b).map(|turn| (turn[0], turn.len())).collect();
     assert_eq!(lengths[..4], [(21, 100), (22, 100), (21, 100), (22, 100)]);
     let mut sent = BTreeSet::new();
-    ride.watch(8, |ride| sent.extend(ride.fresh(bus::id::VCU7).map(|data| bus::Vcu7(data).dtc_raw())));
+    ride.watch(8, |ride| {
+        sent.extend(ride.fresh(citybus::id::VCU7).map(|data| citybus::Vcu7(data).dtc_raw()))
+    });
     assert_eq!(sent, BTreeSet::from([21, 22]));
 }
 
 #[test]
 fn a_stop_fault_takes_the_torque_and_a_derate_halves_the_power() {
-    let mut ride = Ride::at(Kind::Bus, "40");
+    let mut ride = Ride::at(Kind::Citybus, "40");
     let full = ride.world().vcu.allowed_watts;
     ride.set("vcu.fault_level_2", "20").ms(100);
     assert!((ride.world().vcu.allowed_watts / full - 0.5).abs() < 0.01);
@@ -177,24 +179,24 @@ fn a_stop_fault_takes_the_torque_and_a_derate_halves_the_power() {
 
 #[test]
 fn bus_r030_while_charging_the_vehicle_controller_commands_the_converter() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     vehicle.set("charge.plug", Some(1.0)).unwrap();
     let mut commands = Vec::new();
     for _ in 0..2_000 {
         vehicle.advance();
         let frames = vehicle.take_frames();
-        commands.extend(frames.into_iter().filter(|sent| sent.frame.id == bus::id::VCU6));
+        commands.extend(frames.into_iter().filter(|sent| sent.frame.id == citybus::id::VCU6));
     }
     assert!(commands.iter().all(|sent| sent.node == Node::Vcu));
-    let last = bus::Vcu6(*commands.last().expect("VCU6 comes every second").frame.padded());
+    let last = citybus::Vcu6(*commands.last().expect("VCU6 comes every second").frame.padded());
     assert_eq!(last.command_raw(), 0xAA, "started, for a bus that charges for hours");
     assert!(vehicle.world().dcdc.running && !vehicle.world().vcu.ready);
 }
 
 #[test]
 fn bus_r035_the_power_limit_is_never_sent_as_0_and_as_255_only_when_there_is_none() {
-    let mut ride = Ride::at(Kind::Bus, "40");
-    let limit = |ride: &Ride| bus::Vcu2(ride.frame(bus::id::VCU2)).power_limit_raw();
+    let mut ride = Ride::at(Kind::Citybus, "40");
+    let limit = |ride: &Ride| citybus::Vcu2(ride.frame(citybus::id::VCU2)).power_limit_raw();
     assert_eq!(limit(&ride), 150);
     ride.set("battery.hottest", "61").seconds(2);
     assert_eq!(ride.world().vcu.allowed_watts, 0.0);
@@ -203,12 +205,12 @@ fn bus_r035_the_power_limit_is_never_sent_as_0_and_as_255_only_when_there_is_non
 
 #[test]
 fn bus_r036_vcu3_carries_the_link_voltage_through_the_precharge() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("driver.key", "start");
     let mut sent = Vec::new();
     ride.watch(2, |ride| {
-        if let Some(data) = ride.fresh(bus::id::VCU3) {
-            let volts = f64::from(bus::Vcu3(data).mcu_input_voltage_raw()) / 10.0;
+        if let Some(data) = ride.fresh(citybus::id::VCU3) {
+            let volts = f64::from(citybus::Vcu3(data).mcu_input_voltage_raw()) / 10.0;
             assert!((volts - ride.read("link.voltage")).abs() <= 0.051);
             sent.push(volts);
         }
@@ -221,7 +223,7 @@ fn bus_r036_vcu3_carries_the_link_voltage_through_the_precharge() {
 
 #[test]
 fn bus_r037_byte_6_speaks_only_while_the_pantograph_is_used() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.seconds(2);
     let byte = |ride: &Ride| (vcu3(ride).pantograph_state_raw(), vcu3(ride).charge_enable_raw());
     assert_eq!(byte(&ride), (0, 0));
@@ -235,7 +237,7 @@ fn bus_r037_byte_6_speaks_only_while_the_pantograph_is_used() {
 
 #[test]
 fn the_pantograph_stays_down_while_the_bus_moves() {
-    let mut ride = Ride::at(Kind::Bus, "30");
+    let mut ride = Ride::at(Kind::Citybus, "30");
     ride.set("charge.pantograph", "on").seconds(6);
     assert_eq!(vcu3(&ride).pantograph_state_raw(), 0);
     assert!(ride.read("vehicle.speed") > 29.0);
@@ -243,11 +245,11 @@ fn the_pantograph_stays_down_while_the_bus_moves() {
 
 #[test]
 fn bus_r038_relays_that_are_not_there_are_sent_as_open() {
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("driver.target", "30");
     ride.watch(20, |ride| {
-        if let Some(data) = ride.fresh(bus::id::VCU3) {
-            let said = bus::Vcu3(data);
+        if let Some(data) = ride.fresh(citybus::id::VCU3) {
+            let said = citybus::Vcu3(data);
             assert_eq!((said.defrost_relay_raw(), said.accessory_precharge_relay_raw()), (0, 0));
         }
     });
@@ -261,7 +263,7 @@ fn bus_r038_relays_that_are_not_there_are_sent_as_open() {
 #[test]
 fn bus_r039_main_and_charging_relays_are_forwarded_from_the_battery() {
     let relays = |ride: &Ride| (vcu3(ride).battery_relay_raw(), vcu3(ride).charge_relay_raw());
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.seconds(1);
     assert_eq!(relays(&ride), (0, 0));
     ride.set("battery.charge_2_welded", "on").seconds(1);
@@ -269,68 +271,69 @@ fn bus_r039_main_and_charging_relays_are_forwarded_from_the_battery() {
     ride.set("battery.charge_2_welded", "off").set("battery.main_welded", "on").seconds(1);
     assert_eq!(relays(&ride), (1, 0));
 
-    let mut ride = Ride::new(Kind::Bus);
+    let mut ride = Ride::new(Kind::Citybus);
     ride.set("charge.plug", "on").seconds(10);
     assert_eq!(vcu3(&ride).charge_relay_raw(), 1, "charge circuit 1 is closed");
 }
 
 #[test]
-fn bus_r041_steering_is_enabled_by_start_whatever_the_hand_brake_does() {
-    let runs = |ride: &Ride| bus::Vcu4(ride.frame(bus::id::VCU4)).run_raw();
-    let mut ride = Ride::new(Kind::Bus);
-    ride.set("driver.hand_brake", "on").seconds(3);
+fn bus_r041_steering_is_enabled_by_start_whatever_the_parking_brake_does() {
+    let runs = |ride: &Ride| citybus::Vcu4(ride.frame(citybus::id::VCU4)).run_raw();
+    let mut ride = Ride::new(Kind::Citybus);
+    ride.set("driver.parking_brake", "on").seconds(3);
     assert_eq!(runs(&ride), 0, "no START yet");
     ride.set("driver.key", "start").seconds(3);
     assert_eq!(runs(&ride), 1);
-    ride.set("driver.hand_brake", "off").seconds(1);
+    ride.set("driver.parking_brake", "off").seconds(1);
     assert_eq!(runs(&ride), 1);
 }
 
 #[test]
 fn bus_r044_the_start_permit_comes_3_s_after_the_relay() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("driver.air_conditioning", "on");
     ride.until("relay", 1, |ride| ride.world().vcu.hvac.relay);
     assert!(!ride.world().vcu.hvac.permit);
     let waited = ride.until("permit", 5, |ride| ride.world().vcu.hvac.permit);
     assert_eq!(waited, 3_000);
     ride.ms(200);
-    assert_eq!(bus::Vcu5(ride.frame(bus::id::VCU5)).start_permit_raw(), 1);
+    assert_eq!(citybus::Vcu5(ride.frame(citybus::id::VCU5)).start_permit_raw(), 1);
     ride.set("driver.air_conditioning", "off").ms(200);
-    assert_eq!(bus::Vcu5(ride.frame(bus::id::VCU5)).start_permit_raw(), 0);
+    assert_eq!(citybus::Vcu5(ride.frame(citybus::id::VCU5)).start_permit_raw(), 0);
 }
 
 #[test]
 fn bus_r046_derate_is_sent_below_30_percent_and_not_at_30() {
     let derate = |soc: &str| {
-        let mut ride = Ride::ready(Kind::Bus);
+        let mut ride = Ride::ready(Kind::Citybus);
         ride.set("battery.soc", soc).set("driver.air_conditioning", "on").seconds(5);
         // The drive of the air conditioning moves the charge by less than a thousandth.
-        bus::Vcu5(ride.frame(bus::id::VCU5)).derate_raw()
+        citybus::Vcu5(ride.frame(citybus::id::VCU5)).derate_raw()
     };
     assert_eq!([derate("29.9"), derate("30.1"), derate("80")], [1, 0, 0]);
 }
 
 #[test]
 fn bus_r054_vcu9_is_sent_only_where_an_oil_pump_is_supplied() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.seconds(5);
-    assert!(!ride.has_heard(bus::id::VCU9));
-    let mut ride = Ride::with(Kind::Bus, Options { optional: true, ..Options::default() });
+    assert!(!ride.has_heard(citybus::id::VCU9));
+    let mut ride = Ride::with(Kind::Citybus, Options { optional: true, ..Options::default() });
     ride.seconds(5);
-    assert!(ride.has_heard(bus::id::VCU9));
+    assert!(ride.has_heard(citybus::id::VCU9));
 }
 
 #[test]
 fn bus_r056_a_motor_controller_on_another_bus_is_forwarded_under_its_own_identifiers() {
     let senders = |own_bus: f64| {
-        let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+        let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
         vehicle.set("motor.own_bus", Some(own_bus)).unwrap();
         let mut senders = BTreeSet::new();
         for _ in 0..200 {
             vehicle.advance();
             for sent in vehicle.take_frames() {
-                for (name, id) in [("IPU1", bus::id::IPU1), ("IPU2", bus::id::IPU2), ("IPU3", bus::id::IPU3)]
+                for (name, id) in
+                    [("IPU1", citybus::id::IPU1), ("IPU2", citybus::id::IPU2), ("IPU3", citybus::id::IPU3)]
                 {
                     if sent.frame.id == id {
                         senders.insert((name, sent.node as usize));
@@ -340,14 +343,14 @@ fn bus_r056_a_motor_controller_on_another_bus_is_forwarded_under_its_own_identif
         }
         senders.into_iter().collect::<Vec<_>>()
     };
-    let (mcu, vcu) = (Node::Mcu as usize, Node::Vcu as usize);
+    let (mcu, vcu) = (Node::Inverter as usize, Node::Vcu as usize);
     assert_eq!(senders(0.0), [("IPU1", mcu), ("IPU2", mcu), ("IPU3", mcu)]);
     assert_eq!(senders(1.0), [("IPU2", vcu), ("IPU3", vcu)], "IPU1 is not forwarded (BUS-06)");
 }
 
 /// Time from the battery's request to the open contactor, in ms.
 fn answer_ms(hottest: &str) -> u64 {
-    let mut ride = Ride::at(Kind::Bus, "40");
+    let mut ride = Ride::at(Kind::Citybus, "40");
     ride.set("battery.hottest", hottest);
     ride.until("request", 2, |ride| ride.world().bms.hv_off_request);
     ride.until("open contactor", 40, |ride| !ride.world().bms.main.closed)
@@ -363,9 +366,9 @@ fn bus_r065_bus_r076_bus_r078_high_voltage_is_open_within_5_s_of_the_request() {
 
 #[test]
 fn bus_r065_the_torque_fades_before_the_contactor_opens() {
-    let mut ride = Ride::at(Kind::Bus, "60");
+    let mut ride = Ride::at(Kind::Citybus, "60");
     ride.set("battery.highest_cell", "4.15").ms(200);
-    assert_eq!(bus::Bms1(ride.frame(bus::id::BMS1)).hv_open_request_raw(), 3);
+    assert_eq!(citybus::Bms1(ride.frame(citybus::id::BMS1)).hv_open_request_raw(), 3);
     assert_eq!((vcu3(&ride).hv_command_raw(), vcu3(&ride).hv_cutoff_raw()), (1, 0));
     let mut before = f64::MAX;
     for _ in 0..6 {
@@ -381,7 +384,7 @@ fn bus_r065_the_torque_fades_before_the_contactor_opens() {
 
 #[test]
 fn bus_r076_bus_r078_a_controller_that_ignores_the_request_leaves_it_to_the_battery() {
-    let mut ride = Ride::at(Kind::Bus, "40");
+    let mut ride = Ride::at(Kind::Citybus, "40");
     ride.set("vcu.ignores_hv_off", "on").set("battery.hottest", "66");
     ride.until("request", 2, |ride| ride.world().bms.hv_off_request);
     let took = ride.until("open contactor", 60, |ride| !ride.world().bms.main.closed);
@@ -392,7 +395,7 @@ fn bus_r076_bus_r078_a_controller_that_ignores_the_request_leaves_it_to_the_batt
 
 #[test]
 fn after_a_cut_off_only_the_key_brings_high_voltage_back() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("battery.hottest", "66").seconds(6);
     ride.set("battery.hottest", "auto").set("driver.key", "start").seconds(4);
     assert!(!ride.world().vcu.ready);
@@ -402,7 +405,7 @@ fn after_a_cut_off_only_the_key_brings_high_voltage_back() {
 
 #[test]
 fn bus_r080_five_seconds_without_the_battery_mean_limp_without_regeneration() {
-    let mut ride = Ride::at(Kind::Bus, "60");
+    let mut ride = Ride::at(Kind::Citybus, "60");
     ride.set("link.bms", "on");
     let silence = |ride: &Ride| ride.world().links.silence_ms(Node::Vcu, Node::Bms);
     // What it decides in a step comes from the silence at the end of the step before.
@@ -421,7 +424,7 @@ fn bus_r080_five_seconds_without_the_battery_mean_limp_without_regeneration() {
 
 #[test]
 fn bus_r080_a_shorter_silence_changes_nothing() {
-    let mut ride = Ride::at(Kind::Bus, "60");
+    let mut ride = Ride::at(Kind::Citybus, "60");
     ride.set("link.bms", "on");
     ride.watch(4, |ride| assert!(!ride.world().vcu.limp));
     ride.set("link.bms", "off");
@@ -433,7 +436,7 @@ fn bus_r082_the_pack_never_gives_or_takes_more_than_the_battery_allows() {
     for (path, value) in
         [("battery.hottest", "56"), ("battery.soc", "6"), ("battery.soc", "99"), ("road.slope", "12")]
     {
-        let mut ride = Ride::ready(Kind::Bus);
+        let mut ride = Ride::ready(Kind::Citybus);
         // Warm all over: a spread between the probes would be a fault of its own.
         ride.set("battery.coldest", "40").set(path, value).set("driver.air_conditioning", "on").seconds(6);
         for target in ["80", "0", "80", "20"] {
@@ -449,7 +452,7 @@ fn bus_r082_the_pack_never_gives_or_takes_more_than_the_battery_allows() {
 
 #[test]
 fn bus_r082_a_limit_of_nothing_leaves_steering_and_supply_but_neither_drive_nor_comfort() {
-    let mut ride = Ride::at(Kind::Bus, "40");
+    let mut ride = Ride::at(Kind::Citybus, "40");
     ride.set("driver.air_conditioning", "on").set("hvac.cabin", "35").seconds(10);
     assert!(ride.world().hvac.watts > 0.0);
     ride.set("battery.hottest", "61").seconds(1);
@@ -459,7 +462,7 @@ fn bus_r082_a_limit_of_nothing_leaves_steering_and_supply_but_neither_drive_nor_
 
 #[test]
 fn bus_r082_the_driver_is_told_of_the_limit() {
-    let mut ride = Ride::at(Kind::Bus, "40");
+    let mut ride = Ride::at(Kind::Citybus, "40");
     assert_eq!(vcu1(&ride).power_limited_raw(), 0);
     ride.set("battery.coldest", "40").set("battery.hottest", "56").ms(200);
     assert!((1_000.0..120_000.0).contains(&ride.world().vcu.allowed_watts));
@@ -470,20 +473,20 @@ fn bus_r082_the_driver_is_told_of_the_limit() {
 
 /// The cluster says every second whether the seat is left.
 fn sit(ride: &mut Ride, left: bool, ms: u64) {
-    let said = bus::Meter1::new().with_driver_left_seat_raw(u8::from(left)).0;
+    let said = citybus::Meter1::new().with_driver_left_seat_raw(u8::from(left)).0;
     for _ in 0..ms.div_ceil(1_000) {
-        ride.hear(bus::id::METER1, said);
+        ride.hear(citybus::id::METER1, said);
         ride.ms(ms.min(1_000));
     }
 }
 
 #[test]
 fn bus_r130_to_bus_r132_a_left_seat_takes_the_torque_after_2_s_and_the_bus_coasts() {
-    let mut ride = Ride::at(Kind::Bus, "50");
+    let mut ride = Ride::at(Kind::Citybus, "50");
     ride.set("driver.target", "auto").set("driver.accelerator", "30");
     sit(&mut ride, false, 1_000);
     sit(&mut ride, true, 1_000);
-    ride.hear(bus::id::METER1, bus::Meter1::new().with_driver_left_seat_raw(1).0);
+    ride.hear(citybus::id::METER1, citybus::Meter1::new().with_driver_left_seat_raw(1).0);
     ride.ms(990);
     assert!(ride.world().motor.nm > 10.0, "not yet");
     ride.ms(10);
@@ -499,7 +502,7 @@ fn bus_r130_to_bus_r132_a_left_seat_takes_the_torque_after_2_s_and_the_bus_coast
 
 #[test]
 fn bus_r132_a_bus_that_stands_stays_standing() {
-    let mut ride = Ride::ready(Kind::Bus);
+    let mut ride = Ride::ready(Kind::Citybus);
     ride.set("driver.gear", "D");
     sit(&mut ride, true, 3_000);
     ride.set("driver.accelerator", "100");
@@ -681,7 +684,7 @@ fn c5_r016_motor_trips_lie_at_150_and_90_degrees() {
 
 #[test]
 fn a_hot_motor_gives_less_torque_and_says_so() {
-    let mut ride = Ride::at(Kind::Bus, "40");
+    let mut ride = Ride::at(Kind::Citybus, "40");
     ride.set("motor.celsius", "140").ms(100);
     assert_eq!(vcu1(&ride).torque_limited_raw(), 0);
     ride.set("motor.celsius", "150").ms(100);

@@ -6,7 +6,7 @@
 mod truth;
 
 use protocol_core::codec::{LifeKind, MessageInfo, SignalInfo};
-use protocol_core::generated::{self, bus, jiulong};
+use protocol_core::generated::{self, citybus, jiulong};
 use protocol_core::stream::Streams;
 use protocol_core::vehicle::Node;
 use protocol_core::{CanFrame, Vehicle};
@@ -133,7 +133,7 @@ fn every_message_keeps_its_cycle_for_a_minute() {
 fn bus_18_the_overview_prints_slower_cycles_for_some() {
     let insulation = |cycles| {
         let options = Options { cycles, ..Options::default() };
-        heard(&mut VirtualVehicle::new(Kind::Bus, options), 30_000)["Insulation"].len()
+        heard(&mut VirtualVehicle::new(Kind::Citybus, options), 30_000)["Insulation"].len()
     };
     assert_eq!((insulation(Cycles::Page), insulation(Cycles::Slow)), (30, 10));
 }
@@ -181,7 +181,7 @@ fn another_seed_gives_other_phases() {
 
 #[test]
 fn without_jitter_every_way_is_the_cycle() {
-    for (name, pace) in paces(Kind::Bus, Options { jitter_us: 0, ..OPTIONAL }) {
+    for (name, pace) in paces(Kind::Citybus, Options { jitter_us: 0, ..OPTIONAL }) {
         assert_eq!(pace.shortest_us, pace.longest_us, "{name}");
     }
 }
@@ -243,7 +243,7 @@ fn used(info: &MessageInfo) -> [u8; 8] {
 #[test]
 fn bus_r008_c5_r002_every_frame_is_full_and_what_is_not_used_is_filled() {
     for kind in Kind::ALL {
-        let fill = if kind == Kind::Bus { 0xFF } else { 0x00 };
+        let fill = if kind == Kind::Citybus { 0xFF } else { 0x00 };
         minute(kind, OPTIONAL, |_, sent| {
             let info = info(kind, &sent.frame);
             assert_eq!(sent.frame.len(), 8, "{}", info.name);
@@ -258,13 +258,13 @@ fn bus_r008_c5_r002_every_frame_is_full_and_what_is_not_used_is_filled() {
 #[test]
 fn bus_r005_bus_r009_words_come_low_byte_first_and_are_raw_times_resolution_plus_offset() {
     let mut checked = 0;
-    minute(Kind::Bus, Options::default(), |world, sent| {
+    minute(Kind::Citybus, Options::default(), |world, sent| {
         let bytes = sent.frame.bytes();
         let word = |at: usize| f64::from(u16::from(bytes[at]) | u16::from(bytes[at + 1]) << 8);
         let (got, truth, half) = match sent.frame.id {
-            bus::id::VCU1 => (word(2) / 256.0, world.motion.kmh(), 0.5 / 256.0),
-            bus::id::BMS1 => (word(2) * 0.1 - 1_000.0, world.pack.amps, 0.05),
-            bus::id::IPU2 => (word(2) - 12_000.0, world.motor.rpm, 0.5),
+            citybus::id::VCU1 => (word(2) / 256.0, world.motion.kmh(), 0.5 / 256.0),
+            citybus::id::BMS1 => (word(2) * 0.1 - 1_000.0, world.pack.amps, 0.05),
+            citybus::id::IPU2 => (word(2) - 12_000.0, world.motor.rpm, 0.5),
             _ => return,
         };
         assert!((got - truth).abs() <= half + 1e-9, "{}: {got}, not {truth}", sent.frame.id);
@@ -275,9 +275,9 @@ fn bus_r005_bus_r009_words_come_low_byte_first_and_are_raw_times_resolution_plus
 
 #[test]
 fn bus_r006_the_charge_in_vcu5_comes_high_byte_first() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     run(&mut vehicle, 2_000, |world, sent| {
-        if sent.frame.id == bus::id::VCU5 {
+        if sent.frame.id == citybus::id::VCU5 {
             let bytes = sent.frame.bytes();
             let got = f64::from(u16::from(bytes[5]) << 8 | u16::from(bytes[6])) * 0.4;
             assert!((got - world.vcu.heard.soc * 100.0).abs() <= 0.2 + 1e-9, "{got}: {bytes:02X?}");
@@ -287,10 +287,10 @@ fn bus_r006_the_charge_in_vcu5_comes_high_byte_first() {
 
 #[test]
 fn bus_r010_byte_1_is_sent_first_and_bit_7_is_its_highest() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     set(&mut vehicle, "driver.brake", 50.0);
     run(&mut vehicle, 100, |_, sent| {
-        if sent.frame.id == bus::id::VCU1 {
+        if sent.frame.id == citybus::id::VCU1 {
             let first = sent.frame.bytes()[0];
             assert_eq!(first & 0x80, 0x80, "foot brake is bit 7 of byte 1: {first:02X}");
             assert_eq!(sent.frame.bytes()[4], 125, "brake pedal is byte 5, 50 % in steps of 0.4 %");
@@ -318,7 +318,7 @@ fn life(info: &MessageInfo) -> Option<&'static SignalInfo> {
 
 #[test]
 fn bus_r021_the_life_of_vcu1_goes_up_by_one_with_every_frame_and_wraps() {
-    let lives = lives(Kind::Bus, "VCU1", 12_000);
+    let lives = lives(Kind::Citybus, "VCU1", 12_000);
     assert!(lives.len() > 512);
     for pair in lives.windows(2) {
         assert_eq!(pair[1], (pair[0] + 1) % 256);
@@ -327,7 +327,7 @@ fn bus_r021_the_life_of_vcu1_goes_up_by_one_with_every_frame_and_wraps() {
 
 #[test]
 fn bus_r061_the_life_of_ipu1_is_four_bits_above_four_that_stay_0() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     let bytes: Vec<u8> = heard(&mut vehicle, 10_000)["IPU1"].iter().map(|frame| frame.bytes()[7]).collect();
     assert!(bytes.len() > 64);
     for pair in bytes.windows(2) {
@@ -339,7 +339,7 @@ fn bus_r061_the_life_of_ipu1_is_four_bits_above_four_that_stay_0() {
 #[test]
 fn bus_r121_the_life_of_the_components_runs_from_1_to_255() {
     for name in ["SteeringPump", "DCDC", "AirPump"] {
-        let lives = lives(Kind::Bus, name, 520_000);
+        let lives = lives(Kind::Citybus, name, 520_000);
         assert_eq!(lives[0], 1, "{name}");
         for pair in lives.windows(2) {
             assert_eq!(pair[1], pair[0] % 255 + 1, "{name}");
@@ -471,7 +471,7 @@ fn bus_r145_bus_r146_charger_frames_come_only_where_they_are_built_in_and_a_char
     for (optional, plugged, expected) in
         [(false, false, 0), (false, true, 0), (true, false, 0), (true, true, 2)]
     {
-        let mut vehicle = VirtualVehicle::new(Kind::Bus, Options { optional, ..Options::default() });
+        let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options { optional, ..Options::default() });
         set(&mut vehicle, "charge.plug", f64::from(u8::from(plugged)));
         let frames = heard(&mut vehicle, 3_000);
         let chargers = frames.keys().filter(|name| name.starts_with("Charger")).count();
@@ -483,7 +483,7 @@ fn bus_r145_bus_r146_charger_frames_come_only_where_they_are_built_in_and_a_char
 fn bus_r054_bus_r055_frames_of_parts_that_are_not_built_in_do_not_come() {
     let parts = ["VCU9", "VCU10", "PEU", "LowVoltageSteering"];
     for optional in [false, true] {
-        let mut vehicle = VirtualVehicle::new(Kind::Bus, Options { optional, ..Options::default() });
+        let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options { optional, ..Options::default() });
         let frames = heard(&mut vehicle, 3_000);
         for part in parts {
             assert_eq!(frames.contains_key(part), optional, "{part}");
@@ -612,25 +612,25 @@ fn a_node_that_is_cut_off_neither_sends_nor_hears() {
 
 #[test]
 fn silence_grows_by_one_step_at_a_time_and_ends_with_a_frame() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     run(&mut vehicle, 1_000, |_, _| {});
     set(&mut vehicle, "link.vcu", 1.0);
-    let mut before = vehicle.world().links.silence_ms(Node::Mcu, Node::Vcu);
+    let mut before = vehicle.world().links.silence_ms(Node::Inverter, Node::Vcu);
     assert!(before <= 20, "VCU1 and VCU2 come every 20 ms");
     for _ in 0..100 {
         vehicle.advance();
-        let now = vehicle.world().links.silence_ms(Node::Mcu, Node::Vcu);
+        let now = vehicle.world().links.silence_ms(Node::Inverter, Node::Vcu);
         assert_eq!(now, before + STEP_MS);
         before = now;
     }
     set(&mut vehicle, "link.vcu", 0.0);
     run(&mut vehicle, 30, |_, _| {});
-    assert!(vehicle.world().links.silence_ms(Node::Mcu, Node::Vcu) <= 20);
+    assert!(vehicle.world().links.silence_ms(Node::Inverter, Node::Vcu) <= 20);
 }
 
 #[test]
 fn a_lost_message_is_missed_alone() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     let before = heard(&mut vehicle, 4_000);
     set(&mut vehicle, "lost.VCU5", 1.0);
     assert_eq!(vehicle.setting("lost.VCU5"), Some(Some(1.0)));
@@ -648,7 +648,7 @@ fn a_lost_message_is_missed_alone() {
 
 #[test]
 fn a_frozen_node_goes_on_with_the_same_life() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     run(&mut vehicle, 1_000, |_, _| {});
     set(&mut vehicle, "frozen.vcu", 1.0);
     let lives = |frames: &[CanFrame]| frames.iter().map(|frame| frame.bytes()[7]).collect::<BTreeSet<_>>();
@@ -662,10 +662,10 @@ fn a_frozen_node_goes_on_with_the_same_life() {
 
 #[test]
 fn a_cluster_that_is_cut_off_gets_nothing_and_is_not_heard() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     set(&mut vehicle, "link.cluster", 1.0);
     assert!(heard(&mut vehicle, 3_000).is_empty());
-    vehicle.receive(&CanFrame::full(bus::id::METER1, bus::Meter1::new().0));
+    vehicle.receive(&CanFrame::full(citybus::id::METER1, citybus::Meter1::new().0));
     assert_eq!(vehicle.world().meter.frames, 0);
     assert!(vehicle.world().links.silence_ms(Node::Bms, Node::Vcu) <= 20, "the others hear one another");
 }
@@ -689,30 +689,30 @@ fn every_vehicle_has_a_link_for_each_of_its_nodes_and_can_lose_only_its_own_mess
 
 #[test]
 fn bus_r127_to_bus_r129_heartbeat_doors_and_empty_seat_of_the_cluster_are_heard() {
-    let mut vehicle = VirtualVehicle::new(Kind::Bus, Options::default());
+    let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
     run(&mut vehicle, 5_000, |_, _| {});
     assert!(vehicle.world().links.silence_ms(Node::Vcu, Node::Cluster) >= 5_000);
-    let said = bus::Meter1::new().with_driver_left_seat_raw(1).with_handbrake_raw(1).with_life_raw(7);
-    vehicle.receive(&CanFrame::full(bus::id::METER1, said.0));
+    let said = citybus::Meter1::new().with_driver_left_seat_raw(1).with_handbrake_raw(1).with_life_raw(7);
+    vehicle.receive(&CanFrame::full(citybus::id::METER1, said.0));
     let (meter, links) = (vehicle.world().meter, &vehicle.world().links);
-    assert!(meter.seat_left && meter.hand_brake);
+    assert!(meter.seat_left && meter.parking_brake);
     assert_eq!((meter.frames, meter.silent_ms), (1, 0));
     assert_eq!(links.silence_ms(Node::Vcu, Node::Cluster), 0);
 
     // Not available is not "left".
-    let said = bus::Meter1::new().with_driver_left_seat_raw(255).with_life_raw(8);
-    vehicle.receive(&CanFrame::full(bus::id::METER1, said.0));
-    assert!(!vehicle.world().meter.seat_left && !vehicle.world().meter.hand_brake);
+    let said = citybus::Meter1::new().with_driver_left_seat_raw(255).with_life_raw(8);
+    vehicle.receive(&CanFrame::full(citybus::id::METER1, said.0));
+    assert!(!vehicle.world().meter.seat_left && !vehicle.world().meter.parking_brake);
     run(&mut vehicle, 1_000, |_, _| {});
     assert_eq!(vehicle.world().meter.silent_ms, 1_000);
 }
 
 #[test]
 fn the_odometer_of_either_cluster_is_heard_in_km() {
-    let mut city = VirtualVehicle::new(Kind::Bus, Options::default());
-    city.receive(&CanFrame::full(bus::id::METER2, bus::Meter2::new().with_odometer_raw(987_654).0));
+    let mut city = VirtualVehicle::new(Kind::Citybus, Options::default());
+    city.receive(&CanFrame::full(citybus::id::METER2, citybus::Meter2::new().with_odometer_raw(987_654).0));
     assert_eq!(city.world().meter.odometer_km, Some(987_654.0 * 0.125));
-    city.receive(&CanFrame::full(bus::id::METER2, [0xFF; 8]));
+    city.receive(&CanFrame::full(citybus::id::METER2, [0xFF; 8]));
     assert_eq!(city.world().meter.odometer_km, None, "BUS-97: all ones is not available");
 
     let mut van = VirtualVehicle::new(Kind::Jiulong, Options::default());
@@ -744,7 +744,7 @@ fn frames_that_are_not_the_clusters_or_are_too_short_change_nothing() {
                 vehicle.receive(&CanFrame::full(info.id, [0x01; 8]));
             }
         }
-        for id in [bus::id::METER1, jiulong::id::METER1, jiulong::id::METER2] {
+        for id in [citybus::id::METER1, jiulong::id::METER1, jiulong::id::METER2] {
             vehicle.receive(&CanFrame::from_slice(id, &[1; 7]).expect("seven bytes"));
         }
         assert!(*vehicle.world() == before, "{}", kind.name());

@@ -87,7 +87,7 @@ pub(crate) fn variant(value: Value) -> String {
 /// Every node with its name in `vehicle.toml`.
 pub(crate) const NODES: [(&str, Node); 11] = [
     ("vcu", Node::Vcu),
-    ("mcu", Node::Mcu),
+    ("inverter", Node::Inverter),
     ("bms", Node::Bms),
     ("dcdc", Node::Dcdc),
     ("steering", Node::Steering),

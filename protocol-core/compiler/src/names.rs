@@ -175,7 +175,7 @@ mod tests {
 
     #[test]
     fn a_folder_is_named_as_a_module_can_be() {
-        assert_eq!(["bus", "c5ev", "my_van_2"].map(wrong_folder), [None; 3]);
+        assert_eq!(["citybus", "c5ev", "my_van_2"].map(wrong_folder), [None; 3]);
         assert!(["My-Car", "4wd", "mod", "车", "", "a.b"].iter().all(|name| wrong_folder(name).is_some()));
     }
 }

@@ -1067,7 +1067,7 @@ pub static MESSAGES: &[MessageInfo] = &[
 
 static RX: &[RxMessage] = &[
     RxMessage { id: CanId::standard(0x120), name: "Drive", node: Node::Vcu, len: 8, timeout_ms: 500, life: Some(Life { byte: 6, mask: 0x0F }), checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true },
-    RxMessage { id: CanId::standard(0x128), name: "Motor", node: Node::Mcu, len: 8, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Sum8 }), expected: true },
+    RxMessage { id: CanId::standard(0x128), name: "Motor", node: Node::Inverter, len: 8, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Sum8 }), expected: true },
     RxMessage { id: CanId::standard(0x240), name: "Pack", node: Node::Bms, len: 8, timeout_ms: 500, life: Some(Life { byte: 6, mask: 0x0F }), checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true },
     RxMessage { id: CanId::standard(0x248), name: "PackDetails", node: Node::Bms, len: 8, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true },
     RxMessage { id: CanId::standard(0x350), name: "Converter", node: Node::Dcdc, len: 6, timeout_ms: 1000, life: None, checksum: Some(Checksum { byte: 5, len: 6, kind: ChecksumKind::Xor8 }), expected: true },
@@ -1082,8 +1082,8 @@ pub static FAULTS: &[FaultText] = &[
     FaultText { source: Node::Vcu, code: 1, severity: Some(Severity::Warn), fire: false, limps: false, zh: "动力电池电量低", en: "Battery charge low" },
     FaultText { source: Node::Vcu, code: 2, severity: Some(Severity::Derate), fire: false, limps: false, zh: "电机温度高", en: "Motor hot: power reduced" },
     FaultText { source: Node::Vcu, code: 3, severity: Some(Severity::Stop), fire: false, limps: false, zh: "绝缘故障", en: "Insulation fault" },
-    FaultText { source: Node::Mcu, code: 1, severity: Some(Severity::Derate), fire: false, limps: false, zh: "电机控制器温度高", en: "Inverter hot" },
-    FaultText { source: Node::Mcu, code: 2, severity: Some(Severity::Stop), fire: false, limps: false, zh: "电机系统故障", en: "Resolver lost" },
+    FaultText { source: Node::Inverter, code: 1, severity: Some(Severity::Derate), fire: false, limps: false, zh: "电机控制器温度高", en: "Inverter hot" },
+    FaultText { source: Node::Inverter, code: 2, severity: Some(Severity::Stop), fire: false, limps: false, zh: "电机系统故障", en: "Resolver lost" },
     FaultText { source: Node::Bms, code: 1, severity: Some(Severity::Warn), fire: false, limps: false, zh: "单体压差大", en: "Cells uneven" },
     FaultText { source: Node::Bms, code: 2, severity: Some(Severity::Derate), fire: false, limps: false, zh: "单体欠压", en: "Cell voltage low" },
     FaultText { source: Node::Bms, code: 3, severity: Some(Severity::Stop), fire: false, limps: false, zh: "单体过压", en: "Cell voltage high" },
@@ -1091,7 +1091,7 @@ pub static FAULTS: &[FaultText] = &[
 
 static NODES: &[NodeName] = &[
     NodeName { node: Node::Vcu, zh: "整车控制器", en: "Vehicle controller" },
-    NodeName { node: Node::Mcu, zh: "电机控制器", en: "Inverter" },
+    NodeName { node: Node::Inverter, zh: "电机控制器", en: "Inverter" },
     NodeName { node: Node::Bms, zh: "电池系统", en: "Battery" },
     NodeName { node: Node::Dcdc, zh: "DCDC", en: "DC/DC converter" },
     NodeName { node: Node::Cluster, zh: "仪表", en: "Cluster" },

@@ -3984,7 +3984,7 @@ fn decode_vcu1(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let raw = frame.foot_brake_raw();
     readings.put(source, Value::VehicleFootBrake, raw as i32, true);
     let raw = frame.handbrake_raw();
-    readings.put(source, Value::VehicleHandBrake, raw as i32, true);
+    readings.put(source, Value::VehicleParkingBrake, raw as i32, true);
     let state = STATES_0[(frame.vcu_fault_level_raw() & 3) as usize];
     readings.put(source, Value::VehicleControllerLevel, state, state != INVALID);
     let raw = frame.economy_mode_raw();

@@ -4,11 +4,11 @@
 
 #[rustfmt::skip]
 #[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
-pub mod bus;
+pub mod c5ev;
 
 #[rustfmt::skip]
 #[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
-pub mod c5ev;
+pub mod citybus;
 
 #[rustfmt::skip]
 #[allow(clippy::cast_lossless, clippy::manual_range_contains, clippy::unnecessary_cast, unused_imports)]
@@ -21,8 +21,8 @@ pub mod jiulong;
 /// Every vehicle, sorted by name: for tools and tests.
 #[rustfmt::skip]
 pub static VEHICLES: &[&crate::Vehicle] = &[
-    &bus::VEHICLE,
     &c5ev::VEHICLE,
+    &citybus::VEHICLE,
     &example::VEHICLE,
     &jiulong::VEHICLE,
 ];
@@ -30,16 +30,16 @@ pub static VEHICLES: &[&crate::Vehicle] = &[
 /// The vehicles that an image holds and looks for, sorted by name.
 #[rustfmt::skip]
 pub static SHIPPED_VEHICLES: &[&crate::Vehicle] = &[
-    &bus::VEHICLE,
     &c5ev::VEHICLE,
+    &citybus::VEHICLE,
     &jiulong::VEHICLE,
 ];
 
 /// Name and messages of every vehicle, sorted by name: for tools.
 #[rustfmt::skip]
 pub static MESSAGES: &[(&str, &[crate::codec::MessageInfo])] = &[
-    ("bus", bus::MESSAGES),
     ("c5ev", c5ev::MESSAGES),
+    ("citybus", citybus::MESSAGES),
     ("example", example::MESSAGES),
     ("jiulong", jiulong::MESSAGES),
 ];

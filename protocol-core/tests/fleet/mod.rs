@@ -14,7 +14,7 @@ mod hostile;
 
 /// The vehicles that were made from printed documents, so that nothing of them may be missing.
 #[allow(dead_code, reason = "not every test asks")]
-pub(crate) const DOCUMENTED: [&str; 4] = ["bus", "c5ev", "example", "jiulong"];
+pub(crate) const DOCUMENTED: [&str; 4] = ["citybus", "c5ev", "example", "jiulong"];
 
 /// One vehicle with its files.
 #[allow(dead_code, reason = "not every test asks for all")]

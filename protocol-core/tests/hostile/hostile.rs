@@ -329,7 +329,7 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::standard(0x120), name: "InverterStatus", node: Node::Mcu, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: true },
+    RxMessage { id: CanId::standard(0x120), name: "InverterStatus", node: Node::Inverter, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: true },
     RxMessage { id: CanId::standard(0x240), name: "type", node: Node::Bms, len: 6, timeout_ms: 500, life: None, checksum: None, expected: true },
     RxMessage { id: CanId::standard(0x601), name: "SocOnRequest", node: Node::Bms, len: 2, timeout_ms: 700, life: None, checksum: None, expected: true },
 ];
@@ -343,7 +343,7 @@ pub static FAULTS: &[FaultText] = &[
 ];
 
 static NODES: &[NodeName] = &[
-    NodeName { node: Node::Mcu, zh: "电机控制器", en: "Inverter" },
+    NodeName { node: Node::Inverter, zh: "电机控制器", en: "Inverter" },
     NodeName { node: Node::Bms, zh: "电池", en: "Battery" },
     NodeName { node: Node::Cluster, zh: "仪表", en: "Dial" },
 ];

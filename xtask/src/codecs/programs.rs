@@ -105,7 +105,7 @@ fn version(command: &mut Command) -> Result<String> {
 fn cantools_c(folder: &Path) -> Result<PathBuf> {
     let folder = folder.join("cantools");
     std::fs::create_dir_all(&folder)?;
-    let dbc = workspace::root().join("vehicles/bus/bus.dbc");
+    let dbc = workspace::root().join("vehicles/citybus/citybus.dbc");
     let mut command = Command::new(python::witness()?);
     command.args(["-m", "cantools", "generate_c_source", "--no-floating-point-numbers"]);
     workspace::capture(command.arg("--output-directory").arg(&folder).arg(dbc))?;
@@ -152,7 +152,7 @@ pub fn throughput(frames: &Path) -> Result<(f64, f64)> {
     ours.arg(workspace::target().join("codec-cost")).args(["--profile", "fast", "--"]).arg(frames);
     let mut theirs = Command::new(python::witness()?);
     theirs.current_dir(workspace::root()).arg("tools/witness/codec_throughput.py");
-    theirs.arg("vehicles/bus/bus.dbc").arg(frames);
+    theirs.arg("vehicles/citybus/citybus.dbc").arg(frames);
     let figure = |command: &mut Command| -> Result<f64> { Ok(workspace::capture(command)?.trim().parse()?) };
     Ok((figure(&mut ours)?, figure(&mut theirs)?))
 }

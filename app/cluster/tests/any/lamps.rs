@@ -53,7 +53,7 @@ const CONDITIONS: &[(V, i32, Telltale)] = &[
     (V::SteeringState, 2, Telltale::Steering),
     (V::CompressorState, 2, Telltale::Compressor),
     (V::CompressorFault, 1, Telltale::Compressor),
-    (V::BodyHandBrake, 1, Telltale::ParkingBrake),
+    (V::BodyParkingBrake, 1, Telltale::ParkingBrake),
     (V::BodyDoorMiddle, 1, Telltale::Door),
     (V::AirFront, 39, Telltale::AirPressure),
     (V::AirRear, 39, Telltale::AirPressure),
@@ -63,10 +63,10 @@ const CONDITIONS: &[(V, i32, Telltale)] = &[
 fn every_condition_lights_one_lamp_and_silence_keeps_only_what_warns() {
     for &(value, number, lamp) in CONDITIONS {
         let mut drive = Drive::new();
-        drive.keep(Node::Mcu, value, number);
+        drive.keep(Node::Inverter, value, number);
         drive.run(CYCLE);
         assert_eq!(drive.lit(), [lamp], "{} = {number}", value.path());
-        drive.hush(Node::Mcu);
+        drive.hush(Node::Inverter);
         drive.run(10_000);
         let kept: &[_] = if WARNINGS.contains(&lamp) { &[lamp] } else { &[] };
         assert_eq!(drive.lit(), kept, "{} = {number}, silent", value.path());

@@ -14,7 +14,7 @@ pub(crate) const TICK: u64 = 10;
 
 pub(crate) const NODES: [Node; 10] = [
     Node::Vcu,
-    Node::Mcu,
+    Node::Inverter,
     Node::Bms,
     Node::Dcdc,
     Node::Steering,

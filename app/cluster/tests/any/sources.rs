@@ -50,12 +50,12 @@ const SOURCES: &[Source] = &[
 fn every_source_has_its_text_its_severity_and_its_sound_and_ends_with_its_cause() {
     for &(value, number, text, severity, sounds) in SOURCES {
         let mut drive = Drive::new();
-        drive.keep(Node::Mcu, value, number);
+        drive.keep(Node::Inverter, value, number);
         drive.run(CYCLE);
         assert_eq!(drive.faults(), [(text, None, severity)], "{}", value.path());
         assert_eq!(drive.view().line.map(|line| line.text.en), Some(text));
         assert_eq!(drive.sound().is_some(), sounds, "{}", value.path());
-        drive.keep(Node::Mcu, value, 0);
+        drive.keep(Node::Inverter, value, 0);
         drive.run(CYCLE);
         assert_eq!(drive.faults(), [], "{}", value.path());
     }
@@ -67,9 +67,9 @@ fn silence_of_its_sender_keeps_a_stop_fault_and_takes_the_others() {
     for &(value, number, text, severity, _) in SOURCES.iter().filter(|row| row.0 != V::BatteryHvOffRequest) {
         let mut drive = Drive::new();
         // A node that nobody misses.
-        drive.keep(Node::Mcu, value, number);
+        drive.keep(Node::Inverter, value, number);
         drive.run(CYCLE);
-        drive.hush(Node::Mcu);
+        drive.hush(Node::Inverter);
         drive.run(10_000);
         let kept: &[_] = if severity == Stop { &[text] } else { &[] };
         assert_eq!(drive.texts(), kept, "{}", value.path());
@@ -80,7 +80,7 @@ fn silence_of_its_sender_keeps_a_stop_fault_and_takes_the_others() {
 fn a_value_that_its_sender_marks_as_not_valid_makes_no_fault() {
     for &(value, ..) in SOURCES {
         let mut drive = Drive::new();
-        drive.keep_invalid(Node::Mcu, value);
+        drive.keep_invalid(Node::Inverter, value);
         drive.run(CYCLE);
         assert_eq!(drive.faults(), [], "{}", value.path());
     }
@@ -161,7 +161,7 @@ fn an_alarm_bit_without_a_stage_is_as_bad_as_its_sender_s_level() {
 fn an_alarm_bit_without_a_text_still_says_whose_it_is() {
     let mut drive = Drive::new();
     drive.keep(Node::Bms, V::BatteryAlarms, 1 << 8);
-    drive.keep(Node::Mcu, V::MotorAlarms, 1 << 8);
+    drive.keep(Node::Inverter, V::MotorAlarms, 1 << 8);
     drive.run(CYCLE);
     assert_eq!(drive.texts(), ["Battery fault", "Motor system fault"]);
 }
@@ -169,9 +169,9 @@ fn an_alarm_bit_without_a_text_still_says_whose_it_is() {
 #[test]
 fn alarm_bits_that_fall_silent_keep_their_stop_faults_only() {
     let mut drive = Drive::new();
-    drive.keep(Node::Mcu, V::BatteryAlarms, 0b111);
+    drive.keep(Node::Inverter, V::BatteryAlarms, 0b111);
     drive.run(CYCLE);
-    drive.hush(Node::Mcu);
+    drive.hush(Node::Inverter);
     drive.run(TIMEOUT);
     assert_eq!(drive.texts(), ["Alarm 3"]);
 }
@@ -190,10 +190,10 @@ fn jl_23_either_report_of_a_low_supply_counts_and_silence_of_one_does_not_clear_
     for (first, second, low) in [(0, 0, false), (0, 1, true), (1, 0, true), (1, 1, true)] {
         let mut drive = Drive::new();
         drive.keep(Node::Vcu, V::SupplyLow, first);
-        drive.keep(Node::Mcu, V::VehicleSupplyLow, second);
+        drive.keep(Node::Inverter, V::VehicleSupplyLow, second);
         drive.run(CYCLE);
         assert_eq!(!drive.texts().is_empty(), low);
-        drive.hush(Node::Mcu);
+        drive.hush(Node::Inverter);
         drive.run(TIMEOUT);
         assert_eq!(!drive.texts().is_empty(), first == 1);
     }
@@ -221,13 +221,13 @@ fn a_vehicle_with_levels_is_not_told_again_by_its_bit() {
 fn sixty_alarms_at_once_keep_the_worst_and_end_with_their_causes() {
     let mut drive = Drive::new();
     drive.keep(Node::Bms, V::BatteryAlarms, -1);
-    drive.keep(Node::Mcu, V::MotorAlarms, -1);
+    drive.keep(Node::Inverter, V::MotorAlarms, -1);
     drive.keep(Node::Vcu, V::VehicleFaultLevel, 3);
     drive.run(CYCLE);
     let stops = drive.faults().into_iter().filter(|fault| fault.2 == Stop).map(|fault| fault.0);
     assert_eq!(stops.collect::<Vec<_>>(), ["System fault level 3", "Alarm 3"]);
     drive.keep(Node::Bms, V::BatteryAlarms, 0);
-    drive.keep(Node::Mcu, V::MotorAlarms, 0);
+    drive.keep(Node::Inverter, V::MotorAlarms, 0);
     drive.keep(Node::Vcu, V::VehicleFaultLevel, 0);
     drive.run(CYCLE);
     assert_eq!(drive.faults(), []);
@@ -237,7 +237,7 @@ fn sixty_alarms_at_once_keep_the_worst_and_end_with_their_causes() {
 fn a_full_set_takes_a_worse_fault_for_a_mild_one_and_no_further_mild_one() {
     let mut drive = Drive::new();
     drive.keep(Node::Bms, V::BatteryAlarms, -1);
-    drive.keep(Node::Mcu, V::MotorAlarms, -1);
+    drive.keep(Node::Inverter, V::MotorAlarms, -1);
     drive.run(CYCLE);
     let active = |drive: &Drive| -> Vec<_> {
         drive
@@ -298,7 +298,7 @@ proptest! {
         let mut drive = Drive::new();
         for phase in phases {
             for (row, &on) in rows.iter().zip(&phase) {
-                drive.keep(Node::Mcu, row.0, if on { row.1 } else { 0 });
+                drive.keep(Node::Inverter, row.0, if on { row.1 } else { 0 });
             }
             drive.run(CYCLE);
             let active: Vec<_> = rows.iter().zip(&phase).filter(|(_, on)| **on).map(|(row, _)| **row).collect();

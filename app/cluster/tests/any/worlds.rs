@@ -162,7 +162,7 @@ impl World {
             Alarms(bits) => {
                 said.alarms = bits;
                 speaks(
-                    Node::Mcu,
+                    Node::Inverter,
                     bits.map(|bits| [(V::BatteryAlarms, bits)]).as_ref().map(|words| &words[..]),
                 );
             }

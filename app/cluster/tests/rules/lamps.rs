@@ -144,7 +144,7 @@ fn every_own_wire_has_its_lamp() {
         (|i| i.lights.high_beam = true, Telltale::HighBeam),
         (|i| i.lights.front_fog = true, Telltale::FrontFog),
         (|i| i.lights.rear_fog = true, Telltale::RearFog),
-        (|i| i.hand_brake = true, Telltale::ParkingBrake),
+        (|i| i.parking_brake = true, Telltale::ParkingBrake),
         (|i| i.doors.front = true, Telltale::Door),
         (|i| i.doors.middle = true, Telltale::Door),
         (|i| i.doors.rear = true, Telltale::Door),
@@ -168,7 +168,7 @@ fn every_own_wire_has_its_lamp() {
 #[test]
 fn bus_39_the_parking_brake_lamp_follows_the_own_wire() {
     let mut drive = Drive::healthy();
-    drive.inputs.hand_brake = true;
+    drive.inputs.parking_brake = true;
     for id in [DRIVE, PACK, FAULTS, MOTOR, PARTS] {
         drive.stop(id);
     }

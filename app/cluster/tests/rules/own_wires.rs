@@ -45,7 +45,7 @@ fn every_wire_is_filed_under_its_own_value() {
         (|i| i.lights.front_fog = true, Value::BodyFrontFog),
         (|i| i.lights.rear_fog = true, Value::BodyRearFog),
         (|i| i.lights.side = true, Value::BodySideLamp),
-        (|i| i.hand_brake = true, Value::BodyHandBrake),
+        (|i| i.parking_brake = true, Value::BodyParkingBrake),
         (|i| i.smoke = true, Value::BodySmoke),
         (|i| i.horn = true, Value::BodyHorn),
         (|i| i.seat_empty = true, Value::BodySeatEmpty),

@@ -18,7 +18,7 @@ static ANY: Vehicle = Vehicle {
     rx: &[RxMessage {
         id: ID,
         name: "Any",
-        node: Node::Mcu,
+        node: Node::Inverter,
         len: 8,
         timeout_ms: 500,
         life: None,

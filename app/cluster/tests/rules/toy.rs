@@ -72,7 +72,7 @@ const RX: &[RxMessage] = &[
     rx(FAULTS, "Faults", Node::Vcu, FAULTS_TIMEOUT as u32, None, true),
     rx(PACK, "Pack", Node::Bms, 500, Some(Life { byte: 7, mask: 0xF0 }), true),
     rx(PACK_CODE, "PackCode", Node::Bms, 2_500, None, false),
-    rx(MOTOR, "Motor", Node::Mcu, 500, None, false),
+    rx(MOTOR, "Motor", Node::Inverter, 500, None, false),
     rx(PARTS, "Parts", Node::Dcdc, 500, None, false),
 ];
 const TX: &[TxMessage] = &[

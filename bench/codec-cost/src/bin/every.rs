@@ -17,4 +17,4 @@ include!(concat!(env!("OUT_DIR"), "/every.rs"));
 #[used]
 #[unsafe(no_mangle)]
 #[unsafe(link_section = ".table")]
-static TABLE: [&[Codec]; 3] = [&bus::ROWS, &c5ev::ROWS, &jiulong::ROWS];
+static TABLE: [&[Codec]; 3] = [&citybus::ROWS, &c5ev::ROWS, &jiulong::ROWS];

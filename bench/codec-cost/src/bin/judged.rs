@@ -4,6 +4,6 @@
 #![no_main]
 
 use codec_cost::{INVALID, Values, table};
-use protocol_core::generated::bus;
+use protocol_core::generated::citybus;
 
 include!(concat!(env!("OUT_DIR"), "/judged.rs"));

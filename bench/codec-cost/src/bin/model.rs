@@ -4,12 +4,12 @@
 #![no_main]
 
 use protocol_core::Readings;
-use protocol_core::generated::bus;
+use protocol_core::generated::citybus;
 
 #[used]
 #[unsafe(no_mangle)]
 #[unsafe(link_section = ".table")]
-static TABLE: fn(u8, &[u8; 8], &mut Readings) = bus::VEHICLE.decode;
+static TABLE: fn(u8, &[u8; 8], &mut Readings) = citybus::VEHICLE.decode;
 
 // The panic handler.
 use codec_cost as _;

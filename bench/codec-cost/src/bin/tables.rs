@@ -5,9 +5,9 @@
 
 use codec_cost as _;
 use protocol_core::Vehicle;
-use protocol_core::generated::{bus, c5ev, jiulong};
+use protocol_core::generated::{citybus, c5ev, jiulong};
 
 #[used]
 #[unsafe(no_mangle)]
 #[unsafe(link_section = ".table")]
-static TABLE: [&Vehicle; 3] = [&bus::VEHICLE, &c5ev::VEHICLE, &jiulong::VEHICLE];
+static TABLE: [&Vehicle; 3] = [&citybus::VEHICLE, &c5ev::VEHICLE, &jiulong::VEHICLE];

@@ -4,7 +4,7 @@
 #![no_main]
 
 use codec_cost as _;
-use protocol_core::generated::{bus, c5ev, jiulong};
+use protocol_core::generated::{citybus, c5ev, jiulong};
 use protocol_core::{Readings, Vehicle};
 
 type Codec = (fn(u8, &[u8; 8], &mut Readings), fn(u8, &Readings) -> [u8; 8]);
@@ -16,4 +16,4 @@ const fn codec(vehicle: &Vehicle) -> Codec {
 #[used]
 #[unsafe(no_mangle)]
 #[unsafe(link_section = ".table")]
-static TABLE: [Codec; 3] = [codec(&bus::VEHICLE), codec(&c5ev::VEHICLE), codec(&jiulong::VEHICLE)];
+static TABLE: [Codec; 3] = [codec(&citybus::VEHICLE), codec(&c5ev::VEHICLE), codec(&jiulong::VEHICLE)];

@@ -91,7 +91,7 @@ fn charger_is_lost(world: &World) -> bool {
 /// The charger has not heard what it is to do for too long (C5-R007).
 fn battery_is_lost(world: &World) -> bool {
     let order_ms = match world.kind {
-        Kind::Bus => world.links.message_silence_ms("ChargerRx"),
+        Kind::Citybus => world.links.message_silence_ms("ChargerRx"),
         Kind::C5ev => world.links.message_silence_ms("ChargerControl"),
         Kind::Jiulong => 0,
     };
@@ -123,7 +123,7 @@ pub(super) fn step(world: &mut World) -> Wish {
 fn decide(world: &mut World) -> Wish {
     let spec = spec(world.kind);
     let plug = world.charger.plugged && world.charger.mains_volts > 0.0;
-    let pantograph = world.kind == Kind::Bus && world.charger.pantograph && world.vcu.charge_enable;
+    let pantograph = world.kind == Kind::Citybus && world.charger.pantograph && world.vcu.charge_enable;
     let closed = charge_path_is_closed(world);
     let charger_lost = charger_is_lost(world);
     let ohm = world.pack.cell_ohm.get(world.bms.cell_max.index).copied().unwrap_or(1.0);
@@ -316,7 +316,7 @@ mod tests {
     use crate::world::Day;
 
     fn next_day(driven_ms: u64, days: u32) -> u32 {
-        let mut world = World::new(Kind::Bus, Options::default());
+        let mut world = World::new(Kind::Citybus, Options::default());
         world.bms.charge_interval_days = days;
         world.bms.day = Day { passed_ms: DAY_MS - STEP_MS, driven_ms };
         day(&mut world);

@@ -3,7 +3,7 @@
 //! One row per control. Refuses to act: what a setting leads to is in the other modules.
 
 use super::pack;
-use crate::Kind::{self, Bus, C5ev, Jiulong};
+use crate::Kind::{self, C5ev, Citybus, Jiulong};
 use crate::control::{Control, Group, Setting, Takes, flag, is_on};
 use crate::world::World;
 
@@ -56,7 +56,7 @@ macro_rules! charger_code {
             group: Group::Charging,
             takes: CODE,
             free: false,
-            on: &[Bus, Jiulong],
+            on: &[Citybus, Jiulong],
             get: |world| Some(f64::from(world.charger.faults[$index])),
             set: |world, setting| world.charger.faults[$index] = setting.unwrap_or_default() as u8,
         }
@@ -89,7 +89,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         get: |world| Some(world.charger.mains_volts),
         set: set_mains,
     },
-    switch!("charge.pantograph", "受电弓", "Pantograph", Charging, &[Bus], charger.pantograph),
+    switch!("charge.pantograph", "受电弓", "Pantograph", Charging, &[Citybus], charger.pantograph),
     switch!(
         "charge.charger_fault",
         "充电机故障",
@@ -124,7 +124,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电座温度",
         "Charge socket",
         Charging,
-        &[Bus],
+        &[Citybus],
         CELSIUS,
         bms.defects.socket_celsius
     ),
@@ -184,7 +184,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         group: Group::Battery,
         takes: Takes::Number { min: 0.0, max: 254.0, step: 1.0, unit: "d" },
         free: false,
-        on: &[Bus],
+        on: &[Citybus],
         get: |world| Some(f64::from(world.bms.charge_interval_days)),
         set: set_interval,
     },
@@ -202,7 +202,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "主正接触器故障",
         "Main contactor fault",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.defects.main_contactor
     ),
     switch!(
@@ -234,7 +234,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1粘连",
         "Charge 1, relay A welded",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.charge_1[0].welded
     ),
     switch!(
@@ -242,7 +242,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1B粘连",
         "Charge 1, relay B welded",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.charge_1[1].welded
     ),
     switch!(
@@ -250,7 +250,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1不闭合",
         "Charge 1, relay A stuck",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.charge_1[0].stuck_open
     ),
     switch!(
@@ -258,7 +258,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1B不闭合",
         "Charge 1, relay B stuck",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.charge_1[1].stuck_open
     ),
     switch!(
@@ -266,7 +266,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电2粘连",
         "Charge 2, relay A welded",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.charge_2[0].welded
     ),
     switch!(
@@ -274,7 +274,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电2B粘连",
         "Charge 2, relay B welded",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.charge_2[1].welded
     ),
     switch!(
@@ -282,7 +282,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "加热粘连",
         "Heater, relay A welded",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.heater[0].welded
     ),
     switch!(
@@ -290,7 +290,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "加热B粘连",
         "Heater, relay B welded",
         Battery,
-        &[Bus],
+        &[Citybus],
         bms.heater[1].welded
     ),
     switch!(
@@ -298,7 +298,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "高压互锁断开",
         "Interlock open",
         Battery,
-        &[Bus, C5ev],
+        &[Citybus, C5ev],
         bms.defects.interlock_open
     ),
     switch!(
@@ -306,7 +306,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "电流传感器故障",
         "Current sensor broken",
         Battery,
-        &[Bus, C5ev],
+        &[Citybus, C5ev],
         bms.defects.current_sensor
     ),
     switch!(

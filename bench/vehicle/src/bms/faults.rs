@@ -335,7 +335,7 @@ const C5EV: &[Row] = &[
 /// Returns a vehicle's table.
 pub(super) const fn table(kind: Kind) -> &'static [Row] {
     match kind {
-        Kind::Bus => BUS,
+        Kind::Citybus => BUS,
         Kind::Jiulong => JIULONG,
         Kind::C5ev => C5EV,
     }

@@ -65,7 +65,7 @@ fn command_silence_ms(world: &World) -> u64 {
     let node_ms = world.links.silence_ms(Node::Bms, Node::Vcu);
     match (world.kind, world.links.message_silence_ms("VCU3")) {
         // Before the first step there are no messages: nobody is missed yet.
-        (Kind::Bus, ms) if ms < u64::MAX => node_ms.max(ms),
+        (Kind::Citybus, ms) if ms < u64::MAX => node_ms.max(ms),
         _ => node_ms,
     }
 }

@@ -154,7 +154,7 @@ fn report(world: &mut World) {
         .map(|fault| fault.code)
         .collect();
     bms.code = bms.turn.next(&codes);
-    bms.fire |= world.kind == Kind::Bus && bms.active.iter().any(|fault| fault.code == FIRE_CODE);
+    bms.fire |= world.kind == Kind::Citybus && bms.active.iter().any(|fault| fault.code == FIRE_CODE);
 }
 
 /// Sums up what rows do: of the levels of one fault the strictest acts, different faults each take their share.
@@ -185,7 +185,7 @@ fn allow(world: &mut World, driving: bool) -> Allowed {
 ///
 /// Once open it stays so until power-off, whoever opened it: what comes back would be asked to open again at once.
 pub(super) fn hv_off(world: &mut World) {
-    if world.kind != Kind::Bus {
+    if world.kind != Kind::Citybus {
         return;
     }
     let cold = is_cold(world);

@@ -83,7 +83,7 @@ const C5EV: Spec = Spec {
 /// Returns the sizes of a vehicle.
 pub(super) const fn spec(kind: Kind) -> &'static Spec {
     match kind {
-        Kind::Bus => &BUS,
+        Kind::Citybus => &BUS,
         Kind::Jiulong => &JIULONG,
         Kind::C5ev => &C5EV,
     }

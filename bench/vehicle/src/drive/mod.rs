@@ -70,7 +70,7 @@ fn friction_brakes(world: &World, spec: &Spec, speed: f64) -> f64 {
     let electric = -spec.newton(world.motor.nm) * speed.signum();
     let pedal = world.driver.brake * spec.brake_newton;
     let pedal = if speed == 0.0 { pedal } else { (pedal - electric.max(0.0)).max(0.0) };
-    let parked = world.driver.hand_brake || world.vcu.gear == Some(Gear::P);
+    let parked = world.driver.parking_brake || world.vcu.gear == Some(Gear::P);
     pedal + if parked { PARKING * spec.mass_kg * GRAVITY } else { 0.0 }
 }
 
@@ -120,7 +120,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| flag(world.motor.own_bus),
         |world, setting| world.motor.own_bus = is_on(setting),
     )
-    .on(&[Kind::Bus]),
+    .on(&[Kind::Citybus]),
     Control::new(
         "motor.protection",
         ["电机保护", "Motor protection"],
@@ -129,7 +129,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         motor::get_protection,
         motor::set_protection,
     )
-    .on(&[Kind::Bus]),
+    .on(&[Kind::Citybus]),
     Control::new(
         "motor.protection",
         ["电机保护", "Motor protection"],

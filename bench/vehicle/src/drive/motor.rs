@@ -83,7 +83,7 @@ pub(super) fn heat(world: &mut World, spec: &Spec) {
     motor.celsius = motor.celsius_override.unwrap_or(motor.celsius);
     motor.inverter_celsius = motor.inverter_celsius_override.unwrap_or(motor.inverter_celsius);
     let bits = match world.kind {
-        Kind::Bus => [4, 5, 6],
+        Kind::Citybus => [4, 5, 6],
         Kind::Jiulong => [4, 16, 17],
         Kind::C5ev => [0, 1, 2],
     };

@@ -6,10 +6,10 @@ use crate::world::World;
 
 /// Fault code with four bits on the bus.
 const CODE: Takes = Takes::Number { min: 0.0, max: 15.0, step: 1.0, unit: "" };
-const BUS: &[Kind] = &[Kind::Bus];
+const BUS: &[Kind] = &[Kind::Citybus];
 const JIULONG: &[Kind] = &[Kind::Jiulong];
-const WITH_DCDC: &[Kind] = &[Kind::Bus, Kind::Jiulong];
-const WITH_AIR: &[Kind] = &[Kind::Bus, Kind::Jiulong];
+const WITH_DCDC: &[Kind] = &[Kind::Citybus, Kind::Jiulong];
+const WITH_AIR: &[Kind] = &[Kind::Citybus, Kind::Jiulong];
 const PARTS: Group = Group::Parts;
 
 const fn word(word: &'static str, zh: &'static str, en: &'static str) -> Word {

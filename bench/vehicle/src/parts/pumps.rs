@@ -41,8 +41,8 @@ pub(super) fn silence(world: &World, node: Node, message: &str) -> u64 {
     let any = world.links.silence_ms(node, Node::Vcu);
     // Before the first step there are no messages: nobody is missed yet.
     match (world.kind, world.links.message_silence_ms(message)) {
-        (Kind::Bus, ms) if ms < u64::MAX => any.max(ms),
-        (Kind::Bus, _) => any,
+        (Kind::Citybus, ms) if ms < u64::MAX => any.max(ms),
+        (Kind::Citybus, _) => any,
         (Kind::Jiulong | Kind::C5ev, _) => 0,
     }
 }

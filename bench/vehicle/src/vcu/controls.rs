@@ -9,10 +9,10 @@ use crate::world::World;
 
 const CODE: Takes = Takes::Number { min: 0.0, max: 65_535.0, step: 1.0, unit: "" };
 /// Level 3 is the worst.
-const RISING: &[Kind] = &[Kind::Bus, Kind::C5ev];
+const RISING: &[Kind] = &[Kind::Citybus, Kind::C5ev];
 /// Level 1 is the worst.
 const FALLING: &[Kind] = &[Kind::Jiulong];
-const BUS: &[Kind] = &[Kind::Bus];
+const BUS: &[Kind] = &[Kind::Citybus];
 
 fn get<const ROW: usize, const PLACE: usize>(world: &World) -> Setting {
     Some(f64::from(world.vcu.set_codes[ROW][PLACE]))

@@ -74,7 +74,7 @@ fn hvac(world: &mut World, live: bool) {
 fn charging(world: &mut World) {
     let still = world.motion.metres_per_s == 0.0;
     let vcu = &mut world.vcu;
-    let up = world.kind == Kind::Bus && world.charger.pantograph && (still || vcu.pantograph_state > 0);
+    let up = world.kind == Kind::Citybus && world.charger.pantograph && (still || vcu.pantograph_state > 0);
     vcu.spans.pantograph_ms = if up { vcu.spans.pantograph_ms.saturating_add(STEP_MS) } else { 0 };
     vcu.pantograph_state = match vcu.spans.pantograph_ms {
         0 => 0,

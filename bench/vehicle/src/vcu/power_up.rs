@@ -79,7 +79,7 @@ pub(super) fn high_voltage(world: &mut World) {
         vcu.started = false;
     }
     // While the bus charges, its converter and air conditioning are this controller's, not the battery's (BUS-R030).
-    let serves_charging = world.kind == Kind::Bus && world.charger.plugged && world.driver.key >= Key::On;
+    let serves_charging = world.kind == Kind::Citybus && world.charger.plugged && world.driver.key >= Key::On;
     vcu.hv_command = (vcu.started || serves_charging) && !vcu.hv_cutoff;
 }
 

@@ -53,7 +53,7 @@ const VCU1: &[Row] = &[
     flag("fan_high", |world| world.vcu.coolant_fan == 2),
     flag("air_pump", |world| world.compressor.running),
     flag("air_conditioning", |world| world.hvac.on),
-    flag("handbrake", |world| world.driver.hand_brake),
+    flag("handbrake", |world| world.driver.parking_brake),
     flag("foot_brake", |world| world.driver.brake > 0.0),
     flag("economy_mode", |world| world.driver.economy),
 ];

@@ -6,7 +6,7 @@
 use crate::Kind;
 use crate::world::Meter;
 use protocol_core::CanFrame;
-use protocol_core::generated::{bus, jiulong};
+use protocol_core::generated::{citybus, jiulong};
 
 /// Takes over what a frame says; returns whether it is one of the cluster's.
 pub(super) fn hear(kind: Kind, meter: &mut Meter, frame: &CanFrame) -> bool {
@@ -15,14 +15,14 @@ pub(super) fn hear(kind: Kind, meter: &mut Meter, frame: &CanFrame) -> bool {
     }
     let data = *frame.padded();
     match (kind, frame.id) {
-        (Kind::Bus, bus::id::METER1) => {
-            let said = bus::Meter1(data);
+        (Kind::Citybus, citybus::id::METER1) => {
+            let said = citybus::Meter1(data);
             // Not available is not "left".
             meter.seat_left = said.driver_left_seat() == Some(1);
-            meter.hand_brake = said.handbrake_raw() == 1;
+            meter.parking_brake = said.handbrake_raw() == 1;
         }
-        (Kind::Bus, bus::id::METER2) => {
-            let eighths = bus::Meter2(data).odometer_raw();
+        (Kind::Citybus, citybus::id::METER2) => {
+            let eighths = citybus::Meter2(data).odometer_raw();
             // All ones: not available (BUS-97).
             meter.odometer_km = (eighths != u32::MAX).then(|| f64::from(eighths) / EIGHTHS_PER_KM);
         }

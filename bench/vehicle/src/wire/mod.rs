@@ -8,8 +8,8 @@
 //! Source: BUS-R005 to R010, R021, R061, R121; BUS-18 (two cycles); JL-R007 to R009, R020 to R022; C5-R002.
 //! Not supported: arbitration, errors and the time that a frame takes: those are the bus's, not the sender's.
 
-mod bus;
 mod c5ev;
+mod citybus;
 mod jiulong;
 mod links;
 mod meter;
@@ -29,7 +29,7 @@ use rows::{Sheet, Slot};
 /// Nodes in the order of their number.
 const NODES: [Node; NODE_COUNT] = [
     Node::Vcu,
-    Node::Mcu,
+    Node::Inverter,
     Node::Bms,
     Node::Dcdc,
     Node::Steering,
@@ -51,7 +51,7 @@ const SENDERS: &[(&str, Node)] = &[
     ("ICS4in1", Node::Contactors),
     ("InsulationMonitor", Node::Insulation),
     ("LowVoltageSteering", Node::Steering),
-    ("MCU", Node::Mcu),
+    ("MCU", Node::Inverter),
     ("OBC", Node::Charger),
     ("SteeringPump", Node::Steering),
     ("VCU", Node::Vcu),
@@ -108,7 +108,7 @@ const fn mixed(seed: u64, count: u64) -> u64 {
 
 const fn sheets(kind: Kind) -> &'static [Sheet] {
     match kind {
-        Kind::Bus => bus::SHEETS,
+        Kind::Citybus => citybus::SHEETS,
         Kind::Jiulong => jiulong::SHEETS,
         Kind::C5ev => c5ev::SHEETS,
     }
@@ -116,7 +116,7 @@ const fn sheets(kind: Kind) -> &'static [Sheet] {
 
 const fn messages(kind: Kind) -> &'static [MessageInfo] {
     match kind {
-        Kind::Bus => generated::bus::MESSAGES,
+        Kind::Citybus => generated::citybus::MESSAGES,
         Kind::Jiulong => generated::jiulong::MESSAGES,
         Kind::C5ev => generated::c5ev::MESSAGES,
     }
@@ -280,7 +280,7 @@ impl Wire {
 
 /// Who puts a node's frames on the cluster's bus: the vehicle controller forwards what comes from another (BUS-R056).
 fn sender(world: &World, node: Node) -> Node {
-    if node == Node::Mcu && world.motor.own_bus { Node::Vcu } else { node }
+    if node == Node::Inverter && world.motor.own_bus { Node::Vcu } else { node }
 }
 
 /// Counts how long nobody has heard whom; who has nothing to say now is not missed.
@@ -315,7 +315,7 @@ mod tests {
 
     #[test]
     fn an_unknown_name_is_told() {
-        let info = &generated::bus::MESSAGES[0];
+        let info = &generated::citybus::MESSAGES[0];
         let rows = [rows::fixed("gear", 0.0), rows::fixed("gaer", 0.0)];
         let mut problems = Vec::new();
         rows::resolve(info, &rows, &mut problems);
@@ -333,7 +333,7 @@ mod tests {
     #[test]
     fn a_number_becomes_the_nearest_valid_raw_value() {
         let signal = |message: &str, name: &str| {
-            let info = generated::bus::MESSAGES.iter().find(|info| info.name == message);
+            let info = generated::citybus::MESSAGES.iter().find(|info| info.name == message);
             info.and_then(|info| info.signal(name)).expect("a signal of the bus")
         };
         let current = signal("BMS1", "pack_current");

@@ -144,7 +144,7 @@ pub(super) fn leak(world: &World) -> Severity {
 /// Cells in one box of the battery.
 pub(super) const fn cells_per_box(kind: Kind) -> usize {
     match kind {
-        Kind::Bus => 12,
+        Kind::Citybus => 12,
         Kind::Jiulong | Kind::C5ev => 10,
     }
 }

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test file uses its part of the rig")]
 
 use protocol_core::codec::MessageInfo;
-use protocol_core::generated::{bus, c5ev, jiulong};
+use protocol_core::generated::{c5ev, citybus, jiulong};
 use std::collections::BTreeMap;
 use virtual_vehicle::{Kind, Options, STEP_MS, VirtualVehicle, World};
 
@@ -18,7 +18,7 @@ impl Rig {
     /// A vehicle that has been on for some steps.
     pub(crate) fn new(kind: Kind) -> Self {
         let messages = match kind {
-            Kind::Bus => bus::MESSAGES,
+            Kind::Citybus => citybus::MESSAGES,
             Kind::Jiulong => jiulong::MESSAGES,
             Kind::C5ev => c5ev::MESSAGES,
         };

@@ -13,11 +13,13 @@ pub(crate) fn set(vehicle: &mut VirtualVehicle, path: &str, number: f64) {
 /// A driver who accelerates, brakes, turns round and plugs in, so that values move; one scene per 4 s.
 pub(crate) fn drive(vehicle: &mut VirtualVehicle, second: u64) {
     let scene: &[(&str, f64)] = match second {
-        0 => &[("driver.hand_brake", 0.0), ("driver.brake", 0.3), ("driver.key", 3.0), ("driver.gear", 1.0)],
+        0 => {
+            &[("driver.parking_brake", 0.0), ("driver.brake", 0.3), ("driver.key", 3.0), ("driver.gear", 1.0)]
+        }
         4 => &[("driver.brake", 0.0), ("driver.accelerator", 63.0), ("driver.air_conditioning", 1.0)],
         12 => &[("driver.accelerator", 17.0), ("driver.economy", 1.0), ("driver.cruise", 1.0)],
         16 => &[("driver.accelerator", 0.0), ("driver.brake", 44.0), ("driver.cruise", 0.0)],
-        24 => &[("driver.brake", 100.0), ("driver.gear", 0.0), ("driver.hand_brake", 1.0)],
+        24 => &[("driver.brake", 100.0), ("driver.gear", 0.0), ("driver.parking_brake", 1.0)],
         28 => &[("charge.plug", 1.0)],
         _ => &[],
     };
@@ -31,7 +33,7 @@ pub(crate) fn drive(vehicle: &mut VirtualVehicle, second: u64) {
 /// Returns what is true of a vehicle's signals.
 pub(crate) fn truths(kind: Kind) -> &'static [Truth] {
     match kind {
-        Kind::Bus => BUS,
+        Kind::Citybus => BUS,
         Kind::Jiulong => JIULONG,
         Kind::C5ev => C5EV,
     }
@@ -46,7 +48,7 @@ const BUS: &[Truth] = &[
     ("VCU1", "brake_pedal", |world| world.driver.brake * 100.0),
     ("VCU1", "ready", |world| f64::from(u8::from(world.vcu.ready))),
     ("VCU1", "gear", |world| gear(world, [4.0, 1.0, 2.0, 8.0])),
-    ("VCU1", "handbrake", |world| f64::from(u8::from(world.driver.hand_brake))),
+    ("VCU1", "handbrake", |world| f64::from(u8::from(world.driver.parking_brake))),
     ("VCU2", "target_torque", |world| world.motor.wanted_nm),
     ("VCU3", "mcu_input_voltage", |world| world.motor.link_volts),
     ("VCU5", "aux_battery_voltage", |world| world.supply.volts),

@@ -2,7 +2,7 @@
 
 use crate::{AIR, BMS1, BMS5, DCDC, IPU3, PACK, Ride, STEERING, VCU7};
 use cluster::Received;
-use protocol_core::generated::bus::VEHICLE;
+use protocol_core::generated::citybus::VEHICLE;
 use protocol_core::generated::{c5ev, jiulong};
 use protocol_core::model::{Severity, Shown, Value};
 use protocol_core::vehicle::Vehicle;

@@ -1,6 +1,6 @@
-//! Vehicle `bus`: Electric bus (纯电动客车).
+//! Vehicle `citybus`: Electric bus (纯电动客车).
 //!
-//! Generated from `vehicles/bus/bus.dbc` and `vehicles/bus/vehicle.toml`; refresh with `cargo xtask codegen`.
+//! Generated from `vehicles/citybus/citybus.dbc` and `vehicles/citybus/vehicle.toml`; refresh with `cargo xtask codegen`.
 
 use crate::checksum::{Checksum, ChecksumKind};
 use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalInfo};
@@ -6365,9 +6365,9 @@ static RX: &[RxMessage] = &[
     RxMessage { id: CanId::extended(0x1429FF9B), name: "AirPump", node: Node::Compressor, len: 8, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true },
     RxMessage { id: CanId::extended(0x142CFF98), name: "DCDC", node: Node::Dcdc, len: 8, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true },
     RxMessage { id: CanId::extended(0x142FFF95), name: "SteeringPump", node: Node::Steering, len: 8, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F11FF0), name: "IPU1", node: Node::Mcu, len: 8, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xF0 }), checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18F120F0), name: "IPU2", node: Node::Mcu, len: 8, timeout_ms: 500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F121F0), name: "IPU3", node: Node::Mcu, len: 8, timeout_ms: 500, life: None, checksum: None, expected: true },
+    RxMessage { id: CanId::extended(0x18F11FF0), name: "IPU1", node: Node::Inverter, len: 8, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xF0 }), checksum: None, expected: false },
+    RxMessage { id: CanId::extended(0x18F120F0), name: "IPU2", node: Node::Inverter, len: 8, timeout_ms: 500, life: None, checksum: None, expected: true },
+    RxMessage { id: CanId::extended(0x18F121F0), name: "IPU3", node: Node::Inverter, len: 8, timeout_ms: 500, life: None, checksum: None, expected: true },
     RxMessage { id: CanId::extended(0x18F13DF3), name: "BMS1", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
     RxMessage { id: CanId::extended(0x18F13EF3), name: "BMS2", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
     RxMessage { id: CanId::extended(0x18F140F3), name: "BMS4", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
@@ -6483,7 +6483,7 @@ pub static FAULTS: &[FaultText] = &[
 
 static NODES: &[NodeName] = &[
     NodeName { node: Node::Vcu, zh: "整车控制器", en: "Vehicle controller" },
-    NodeName { node: Node::Mcu, zh: "电机控制器", en: "Motor controller" },
+    NodeName { node: Node::Inverter, zh: "电机控制器", en: "Motor controller" },
     NodeName { node: Node::Bms, zh: "电池系统", en: "Battery" },
     NodeName { node: Node::Dcdc, zh: "DCDC", en: "DC/DC converter" },
     NodeName { node: Node::Steering, zh: "助力", en: "Steering" },
@@ -6557,7 +6557,7 @@ fn decode_vcu1(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let raw = frame.foot_brake_raw();
     readings.put(source, Value::VehicleFootBrake, raw as i32, true);
     let raw = frame.handbrake_raw();
-    readings.put(source, Value::VehicleHandBrake, raw as i32, true);
+    readings.put(source, Value::VehicleParkingBrake, raw as i32, true);
 }
 
 fn decode_vcu3(source: u8, data: &[u8; 8], readings: &mut Readings) {
@@ -6861,7 +6861,7 @@ fn encode_meter1(values: &Readings) -> [u8; 8] {
     let frame = frame.with_middle_door_raw(codec::known(values, Value::BodyDoorMiddle).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_entry_door_raw(codec::known(values, Value::BodyDoorFront).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_rear_hatch_raw(codec::known(values, Value::BodyDoorHatch).map_or(0, |state| (state != 0) as u8));
-    let frame = frame.with_handbrake_raw(codec::known(values, Value::BodyHandBrake).map_or(0, |state| (state != 0) as u8));
+    let frame = frame.with_handbrake_raw(codec::known(values, Value::BodyParkingBrake).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_smoke_alarm_raw(codec::known(values, Value::BodySmoke).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_key_position_raw(match codec::known(values, Value::BodyKey) { Some(0) => 0, Some(1) => 2, Some(2) => 1, Some(3) => 3, _ => 0 });
     let frame = frame.with_front_air_pressure_raw(codec::known(values, Value::AirFront).map_or(255, |number| codec::scaled(number, 1, 0, 1, 0, 254) as u8));
@@ -6896,7 +6896,7 @@ fn encode(index: u8, values: &Readings) -> [u8; 8] {
 
 /// Electric bus (纯电动客车).
 pub static VEHICLE: Vehicle = Vehicle {
-    name: "bus",
+    name: "citybus",
     zh: "纯电动客车",
     en: "Electric bus",
     bitrate: 250000,

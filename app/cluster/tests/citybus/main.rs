@@ -1,4 +1,4 @@
-//! The cluster on the generated bus: bytes as the document prints them, and a minute of city driving.
+//! The cluster on the generated citybus: bytes as the document prints them, and a minute of city driving.
 //!
 //! The bytes are written by hand from the document, not with the generated codecs.
 
@@ -6,7 +6,7 @@ mod pages;
 
 use cluster::view::ActiveFault;
 use cluster::{Button, Cluster, Inputs, Key, Received, Sound, Telltale, View};
-use protocol_core::generated::bus::VEHICLE;
+use protocol_core::generated::citybus::VEHICLE;
 use protocol_core::model::{Gear, Severity, Shown, Value};
 use protocol_core::{CanFrame, CanId, Millis};
 
@@ -333,7 +333,7 @@ fn bus_r127_and_bus_94_meter1_says_what_the_wires_say() {
     ride.inputs = Inputs {
         key: Key::On,
         seat_empty: true,
-        hand_brake: true,
+        parking_brake: true,
         supply_decivolts: Some(246),
         air_front_centimpa: Some(80),
         air_rear_centimpa: None,
@@ -389,7 +389,7 @@ fn bus_05_an_unlisted_battery_frame_is_tolerated() {
 
 /// The frames of the capture and their times in milliseconds.
 fn city() -> Vec<(u64, CanFrame)> {
-    let log = include_str!("../../../../vehicles/bus/captures/city.log");
+    let log = include_str!("../../../../vehicles/citybus/captures/city.log");
     let frames = log.lines().map(|line| {
         let (time, rest) = line.split_once(") can0 ").expect("candump -L");
         let (id, data) = rest.split_once('#').expect("candump -L");

@@ -57,7 +57,7 @@ const VCU1: &[Row] = &[
         word(&[(matches!(world.vcu.gear, Some(Gear::D | Gear::R)), DRIVE_MODE)], PARK_MODE)
     }),
     value("gear", |world| gear(world, 4.0, 1.0, 2.0, Some(8.0))),
-    flag("handbrake", |world| world.driver.hand_brake),
+    flag("handbrake", |world| world.driver.parking_brake),
     flag("foot_brake", |world| world.driver.brake > 0.0),
     value("accelerator_pedal", accelerator),
     value("vehicle_speed", speed),
