@@ -99,7 +99,9 @@ impl Visit {
     /// Fetches a file of the server without the browser.
     fn fetch(&self, path: &str) -> (u16, Vec<u8>) {
         let mut stream = TcpStream::connect(self.address).unwrap();
-        write!(stream, "GET {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address).unwrap();
+        let host = self.address;
+        let headers = format!("Host: {host}\r\nReferer: http://{host}/\r\nConnection: close");
+        write!(stream, "GET {path} HTTP/1.1\r\n{headers}\r\n\r\n").unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();
         let head = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
@@ -343,7 +345,8 @@ fn a_scenario_plays_and_its_verdict_comes_in() {
     visit
         .browser
         .wait_for("state.truths[catalog.truths.findIndex(t => t.path === 'vehicle.distance')] > 0.1");
-    assert_eq!(visit.browser.number("state.playing.checks.filter(check => !check[3]).length"), 0.0);
+    visit.browser.wait_for("state.playing.checks.every(check => check.found)");
+    assert_eq!(visit.browser.number("state.playing.checks.filter(check => !check.found.passed).length"), 0.0);
     visit.leave();
 }
 
@@ -365,6 +368,85 @@ fn every_width_from_a_phone_up_fits_without_scrolling_sideways() {
             let panel = visit.browser.number("$('panel').getBoundingClientRect().width");
             assert!((160.0..=f64::from(width)).contains(&panel), "the panel is {panel} wide at {width}");
         }
+    }
+    visit.leave();
+}
+
+#[test]
+fn a_failed_expectation_is_told_when_the_story_has_come_to_it_in_good_english() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    let found = |passed: bool| format!("{{ got: 'off', passed: {passed} }}");
+    let mut verdict = |first: &str, second: &str| {
+        visit.browser.text(&format!(
+            "(() => {{ showStory({{ name: 'x', title: 'x', rules: [], end: 9, deeds: [], problem: null, checks: [ \
+             {{ at: 1, expected: 'lamp.ready on', found: {first} }}, {{ at: 8, expected: 'speed 0', found: {second} }}] }}, 2); \
+             return $('story-verdict').textContent + '; ' + $('story-list').textContent; }})()"
+        ))
+    };
+    let (wrong, right) = (found(false), found(true));
+    assert!(verdict(&wrong, "null").starts_with("1 expectation failed, of 2; "));
+    assert!(verdict(&wrong, &wrong).starts_with("2 expectations failed, of 2; "));
+    assert!(verdict(&right, &right).starts_with("2 expectations came true; "));
+    let ahead = verdict(&right, "null");
+    assert!(ahead.starts_with("1 expectation came true so far, of 2; "), "{ahead}");
+    assert!(ahead.contains("✓lamp.ready on") && ahead.ends_with("·speed 0"), "not judged ahead: {ahead}");
+    visit.leave();
+}
+
+/// Serves one HTML page for as long as the process runs and returns its port.
+fn foreign_site(html: String) -> u16 {
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = listener.local_addr().unwrap().port();
+    std::thread::spawn(move || {
+        for stream in listener.incoming() {
+            let Ok(mut stream) = stream else { continue };
+            let _ = stream.read(&mut [0; 4_096]);
+            let head =
+                format!("Content-Type: text/html\r\nContent-Length: {}\r\nConnection: close", html.len());
+            let _ = write!(stream, "HTTP/1.1 200 OK\r\n{head}\r\n\r\n{html}");
+        }
+    });
+    port
+}
+
+#[test]
+fn a_foreign_site_in_the_same_browser_is_refused_whatever_it_tries() {
+    let Some(visit) = visit(1440, 900) else { return };
+    let bench = visit.address;
+    let html = format!(
+        "<!doctype html><title>foreign</title><body><script> \
+         const got = window.got = {{}}; \
+         const told = (what, how) => {{ got[what] = how; }}; \
+         const element = (what, tag, rest) => {{ const e = document.createElement(tag); \
+           e.onload = () => told(what, 'answered'); e.onerror = () => told(what, 'refused'); Object.assign(e, rest); document.body.append(e); }}; \
+         element('img', 'img', {{ src: 'http://{bench}/screen/8' }}); \
+         element('bare img', 'img', {{ src: 'http://{bench}/screen/7', referrerPolicy: 'no-referrer' }}); \
+         element('script', 'script', {{ src: 'http://{bench}/' }}); \
+         fetch('http://{bench}/screen/6').then(() => told('fetch', 'answered'), () => told('fetch', 'refused')); \
+         fetch('http://{bench}/screen/5', {{ mode: 'no-cors' }}).then(() => told('no-cors', 'answered'), () => told('no-cors', 'refused')); \
+         const socket = new WebSocket('ws://{bench}/live'); \
+         socket.onopen = () => {{ told('socket', 'answered'); socket.send('{{\"do\":\"pause\",\"on\":true}}'); }}; \
+         socket.onerror = () => told('socket', 'refused'); \
+         const frame = document.createElement('iframe'); frame.src = 'http://{bench}/'; \
+         frame.onload = () => told('iframe', 'loaded'); document.body.append(frame); \
+         </script>"
+    );
+    let port = foreign_site(html);
+    let chromium = browser::find().unwrap();
+    // The same site on another port, and another site: a browser tells them apart.
+    for origin in [format!("http://127.0.0.1:{port}/"), format!("http://localhost:{port}/")] {
+        let mut foreign = Browser::open(&chromium, &origin, 800, 600);
+        foreign.wait_for("window.got && Object.keys(got).length === 7");
+        for what in ["img", "bare img", "script", "fetch", "no-cors", "socket"] {
+            assert_eq!(foreign.text(&format!("got['{what}']")), "refused", "{what} from {origin}");
+        }
+        let statuses = foreign.statuses(&bench.to_string());
+        assert_eq!(statuses.len(), 6, "all but the socket: {statuses:?}");
+        for (url, status) in &statuses {
+            assert_eq!(*status, 403, "{url} from {origin}");
+        }
+        assert!(statuses.iter().any(|(url, _)| *url == format!("http://{bench}/")), "{statuses:?}");
     }
     visit.leave();
 }

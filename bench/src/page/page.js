@@ -60,8 +60,9 @@ const WORDS = {
   scenario: ["场景", "Scenario"],
   play: ["从上电开始播放场景", "Play the scenario from power-on"],
   judging: ["正在独立运行并判定……", "being judged by a run of its own ..."],
-  all_passed: ["项期望全部满足", "expectations came true"],
-  not_passed: ["项期望未满足，共", "expectations failed, of"],
+  all_passed: ["项期望全部满足", "expectation came true", "expectations came true"],
+  passed_so_far: ["项期望已满足，共", "expectation came true so far, of", "expectations came true so far, of"],
+  not_passed: ["项期望未满足，共", "expectation failed, of", "expectations failed, of"],
   truth: ["车辆实际", "Vehicle"],
   shown: ["仪表显示", "Cluster says"],
   no_lamps: ["没有点亮的指示灯", "No lamp is lit"],
@@ -145,6 +146,8 @@ let language = stored("language", navigator.language.toLowerCase().startsWith("z
 const pick = pair => pair[language === "zh" ? 0 : 1];
 const word = key => pick(WORDS[key]);
 const named = thing => thing[language];
+/** A number of things; the third word is English for more or less than one. */
+const counted = (number, key) => `${number} ${number !== 1 && language === "en" ? WORDS[key][2] : word(key)}`;
 
 /** Makes an element: tag, properties (class, on..., data and aria as they are), children. */
 function make(tag, properties = {}, ...children) {
@@ -556,13 +559,15 @@ let storyOf = null;
 function showStory(story, seconds) {
   $("story").hidden = !story;
   if (!story) return;
-  // Built again when the verdict comes in.
-  const state = `${catalog.bench} ${Boolean(story.checks)} ${story.problem}`;
+  const checks = story.checks ?? [], found = checks.filter(check => check.found), failed = found.filter(check => !check.found.passed);
+  // Built again when the verdict comes in and when the story has come to one more of its checks.
+  const state = `${catalog.bench} ${Boolean(story.checks)} ${found.length} ${story.problem}`;
   if (storyOf !== state) {
     storyOf = state;
     write($("story-title"), story.title);
     const lines = [...story.deeds.map(([at, text]) => ({ at, text, sign: "▸", kind: "" })),
-      ...(story.checks ?? []).map(([at, expected, got, passed]) => ({ at, text: passed ? expected : `${expected} ≠ ${got}`, sign: passed ? "✓" : "✗", kind: passed ? "passed" : "failed" }))];
+      ...checks.map(({ at, expected, found }) => !found ? { at, text: expected, sign: "·", kind: "" }
+        : found.passed ? { at, text: expected, sign: "✓", kind: "passed" } : { at, text: `${expected} ≠ ${found.got}`, sign: "✗", kind: "failed" })];
     lines.sort((a, b) => a.at - b.at);
     $("story-list").replaceChildren(...lines.map(({ at, text, sign, kind }) => make("li", { class: kind, "data-at": String(at) }, make("time", {}, at.toFixed(1)), make("i", {}, sign), make("span", {}, text))));
   }
@@ -574,9 +579,10 @@ function showStory(story, seconds) {
     if (past) last = line;
   }
   if (last && !$("story-list").contains(document.activeElement)) $("story-list").scrollTop = Math.max(0, last.offsetTop - $("story-list").offsetTop - 120);
-  const failed = (story.checks ?? []).filter(check => !check[3]).length, all = story.checks?.length ?? 0;
-  $("story-verdict").className = "fact" + (story.checks ? failed ? " failed" : " passed" : "");
-  write($("story-verdict"), story.problem ?? (!story.checks ? word("judging") : failed ? `${failed} ${word("not_passed")} ${all}` : `${all} ${word("all_passed")}`));
+  const isWhole = story.checks && found.length === checks.length;
+  $("story-verdict").className = "fact" + (failed.length ? " failed" : isWhole ? " passed" : "");
+  write($("story-verdict"), story.problem ?? (!story.checks ? word("judging") : failed.length ? `${counted(failed.length, "not_passed")} ${checks.length}`
+    : isWhole ? counted(found.length, "all_passed") : `${counted(found.length, "passed_so_far")} ${checks.length}`));
 }
 
 // --- the bus -------------------------------------------------------------------------------------------------------
