@@ -40,8 +40,12 @@ fn bench_with(vehicle: Option<Kind>) -> anyhow::Result<Rig> {
     Ok(rig)
 }
 
-/// Opens the page; `None` where there is no Chromium, which is an error in CI.
+/// Opens the page of a bench that has a recording; `None` where there is no Chromium, which is an error in CI.
 fn visit(width: u32, height: u32) -> Option<Visit> {
+    visit_bench(width, height, Some("city.log"))
+}
+
+fn visit_bench(width: u32, height: u32, recording: Option<&str>) -> Option<Visit> {
     let turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let Some(chromium) = browser::find() else {
         need::CHROMIUM.skip(std::thread::current().name().unwrap_or("the page"));
@@ -49,7 +53,7 @@ fn visit(width: u32, height: u32) -> Option<Visit> {
     };
     let start = Start {
         vehicle: Some(Kind::Citybus),
-        recording: Some("city.log".into()),
+        recording: recording.map(str::to_owned),
         elf: Some(firmware::elf()),
         ..Start::default()
     };
@@ -94,7 +98,9 @@ impl Visit {
     /// Fetches a file of the server without the browser.
     fn fetch(&self, path: &str) -> (u16, Vec<u8>) {
         let mut stream = TcpStream::connect(self.address).unwrap();
-        write!(stream, "GET {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address).unwrap();
+        let host = self.address;
+        let headers = format!("Host: {host}\r\nReferer: http://{host}/\r\nConnection: close");
+        write!(stream, "GET {path} HTTP/1.1\r\n{headers}\r\n\r\n").unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();
         let head = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
@@ -338,7 +344,8 @@ fn a_scenario_plays_and_its_verdict_comes_in() {
     visit
         .browser
         .wait_for("state.truths[catalog.truths.findIndex(t => t.path === 'vehicle.distance')] > 0.1");
-    assert_eq!(visit.browser.number("state.playing.checks.filter(check => !check[3]).length"), 0.0);
+    visit.browser.wait_for("state.playing.checks.every(check => check.found)");
+    assert_eq!(visit.browser.number("state.playing.checks.filter(check => !check.found.passed).length"), 0.0);
     visit.leave();
 }
 
@@ -360,6 +367,304 @@ fn every_width_from_a_phone_up_fits_without_scrolling_sideways() {
             let panel = visit.browser.number("$('panel').getBoundingClientRect().width");
             assert!((160.0..=f64::from(width)).contains(&panel), "the panel is {panel} wide at {width}");
         }
+    }
+    visit.leave();
+}
+
+#[test]
+fn gear_d_by_the_mouse_and_the_up_arrow_drive() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit
+        .browser
+        .eval("[...$('gears').querySelectorAll('button')].find(b => b.textContent === 'D').id = 'lever-d'");
+    visit.browser.click("#lever-d");
+    assert_eq!(visit.browser.text("document.activeElement.id"), "lever-d", "the lever has the focus");
+    visit.browser.key_down("ArrowUp");
+    visit.wait_speed("> 15");
+    visit.browser.key_up("ArrowUp");
+    visit.browser.wait_for("state.settings[rows.get('driver.accelerator').index] === 0");
+    assert_eq!(visit.browser.text("$('gears').querySelector('[aria-checked=true]').textContent"), "D");
+    visit.leave();
+}
+
+#[test]
+fn up_and_down_are_the_pedals_whatever_has_the_focus_and_change_nothing_else() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.click("#frames [data-name=VCU1]");
+    visit.browser.wait_for("!$('decoded').hidden");
+    // Nothing moves by itself, and everything that can have the focus is to be seen.
+    visit.browser.click("#pause");
+    visit.browser.wait_for("state.paused");
+    visit.browser.eval("for (const details of document.querySelectorAll('details')) details.open = true");
+    visit.browser.eval(
+        "{ window.sent = []; window.own = null; const through = socket.send.bind(socket); \
+           socket.send = text => { sent.push(JSON.parse(text)); through(text); }; \
+           window.focusable = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex]')] \
+             .filter(e => !e.disabled && e.checkVisibility()); \
+           window.isTyped = e => e.matches('input[type=number], input[type=search]'); \
+           window.look = () => JSON.stringify([catalog.bench, catalog.vehicle, view, language, document.body.dataset.tab, \
+             ...[...document.querySelectorAll('input, select')].map(e => [e.value, e.checked]), \
+             ...[...document.querySelectorAll('[aria-checked], [aria-pressed]')].map(e => \
+               [e.getAttribute('aria-checked'), e.getAttribute('aria-pressed')])]); }",
+    );
+    let count = visit.browser.number("focusable.length") as usize;
+    assert!(count > 80, "{count} elements");
+    for kind in [
+        "[role=radio]",
+        "select",
+        "[type=range]",
+        "[type=number]",
+        "[type=search]",
+        "[type=checkbox]",
+        "summary",
+        "a",
+        ".scroll",
+        ".pedal",
+    ] {
+        let found = visit.browser.number(&format!("focusable.filter(e => e.matches('{kind}')).length"));
+        assert!(found > 0.0, "no {kind} among them");
+    }
+    for index in 0..count {
+        let element = format!("focusable[{index}]");
+        let name = visit.browser.text(&format!("{element}.outerHTML.slice(0, 160)"));
+        let before = visit.browser.text(&format!(
+            "{element}.focus(); own = setting({element}.closest('[data-path]')?.dataset.path); \
+             sent.length = 0; look()"
+        ));
+        assert_eq!(visit.browser.eval(&format!("document.activeElement === {element}")), true, "{name}");
+        let is_typed = visit.browser.eval(&format!("isTyped({element})")) == true;
+        for (key, pedal) in [("ArrowUp", "accelerator"), ("ArrowDown", "brake")] {
+            visit.browser.key_down(key);
+            let is_held = visit.browser.number(&format!("held.{pedal}")) > 0.0;
+            assert_ne!(is_held, is_typed, "{key} on {name}");
+            visit.browser.key_up(key);
+            assert_eq!(visit.browser.number(&format!("held.{pedal}")), 0.0, "{key} let go of on {name}");
+        }
+        if is_typed {
+            // The arrows are the box's own: they step its number and nothing else.
+            let path = format!("{element}.closest('[data-path]')?.dataset.path");
+            let others = format!("sent.filter(c => c.do !== 'set' || c.path !== {path}).length");
+            assert_eq!(visit.browser.number(&others), 0.0, "{name} changes something else");
+            visit.browser.eval(&format!("{element}.blur(); {path} && set({path}, own)"));
+        } else {
+            let others =
+                "JSON.stringify(sent.filter(c => c.do !== 'set' || !Object.values(PEDALS).includes(c.path)))";
+            assert_eq!(visit.browser.text(others), "[]", "{name} changes something");
+            assert_eq!(visit.browser.text("look()"), before, "{name} changes something on the page");
+        }
+    }
+    visit.leave();
+}
+
+#[test]
+fn a_list_that_has_dropped_down_keeps_the_arrows() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.click("#scenario");
+    visit.browser.wait_for("$('scenario').matches(':open')");
+    visit.browser.key_down("ArrowDown");
+    assert_eq!(visit.browser.number("held.brake"), 0.0);
+    visit.browser.key_up("ArrowDown");
+    visit.browser.key("Escape");
+    visit.leave();
+}
+
+#[test]
+fn left_and_right_move_within_a_group_and_enter_chooses() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    let gear = "$('gears').querySelector('[aria-checked=true]').textContent";
+    let focus = "document.activeElement.textContent";
+    visit.browser.eval("$('gears').querySelector('[tabindex=\"0\"]').focus()");
+    assert_eq!((visit.browser.text(gear), visit.browser.text(focus)), ("N".into(), "N".into()));
+    visit.browser.key("ArrowRight");
+    assert_eq!((visit.browser.text(gear), visit.browser.text(focus)), ("N".into(), "D".into()));
+    visit.browser.key("Enter");
+    assert_eq!(visit.browser.text(gear), "D");
+    visit.browser.key("ArrowLeft");
+    visit.browser.key("ArrowLeft");
+    assert_eq!((visit.browser.text(gear), visit.browser.text(focus)), ("D".into(), "R".into()));
+    visit.browser.key("Tab");
+    assert_eq!(
+        visit.browser.text("$('gears').querySelector('[tabindex=\"0\"]').textContent"),
+        "D",
+        "Tab comes back to it"
+    );
+    // Another vehicle: not by an arrow, but by Enter, and the focus stays.
+    visit.browser.eval("$('vehicles').querySelector('[tabindex=\"0\"]').focus()");
+    let bench = visit.browser.number("catalog.bench");
+    visit.browser.key("ArrowRight");
+    assert_eq!(visit.browser.text("document.activeElement.dataset.value"), "jiulong");
+    visit.browser.key("Enter");
+    visit.browser.wait_for(&format!("catalog.bench > {bench} && catalog.vehicle === 'jiulong' && state"));
+    assert_eq!(visit.browser.number("catalog.bench"), bench + 1.0, "started once");
+    assert_eq!(visit.browser.text("document.activeElement.dataset.value"), "jiulong");
+    // The list of the bus, row by row.
+    visit.browser.wait_for("$('frames').children.length > 2");
+    visit.browser.click("#pause");
+    visit.browser.wait_for("state.paused");
+    visit.browser.eval("$('rows').focus()");
+    visit.browser.key("ArrowRight");
+    visit.browser.wait_for("chosen?.id === $('frames').children[0].dataset.id");
+    visit.browser.key("ArrowRight");
+    visit.browser.wait_for("chosen?.id === $('frames').children[1].dataset.id");
+    visit.leave();
+}
+
+#[test]
+fn a_failed_expectation_is_told_when_the_story_has_come_to_it_in_good_english() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    let found = |passed: bool| format!("{{ got: 'off', passed: {passed} }}");
+    let mut verdict = |first: &str, second: &str| {
+        visit.browser.text(&format!(
+            "(() => {{ showStory({{ name: 'x', title: 'x', rules: [], end: 9, deeds: [], problem: null, checks: [ \
+             {{ at: 1, expected: 'lamp.ready on', found: {first} }}, {{ at: 8, expected: 'speed 0', found: {second} }}] }}, 2); \
+             return $('story-verdict').textContent + '; ' + $('story-list').textContent; }})()"
+        ))
+    };
+    let (wrong, right) = (found(false), found(true));
+    assert!(verdict(&wrong, "null").starts_with("1 expectation failed, of 2; "));
+    assert!(verdict(&wrong, &wrong).starts_with("2 expectations failed, of 2; "));
+    assert!(verdict(&right, &right).starts_with("2 expectations came true; "));
+    let ahead = verdict(&right, "null");
+    assert!(ahead.starts_with("1 expectation came true so far, of 2; "), "{ahead}");
+    assert!(ahead.contains("✓lamp.ready on") && ahead.ends_with("·speed 0"), "not judged ahead: {ahead}");
+    visit.leave();
+}
+
+/// Overlaps and what sticks out, of header, strip, tabs, panes, bezel and what is below it; empty = none.
+const CLUTTER: &str = "(() => { const found = []; \
+    const box = e => ({ name: e.id || e.className || e.tagName, r: e.getBoundingClientRect() }); \
+    const seen = list => [...list].filter(e => e.checkVisibility()).map(box); \
+    const apart = boxes => boxes.forEach((a, i) => boxes.slice(i + 1).forEach(b => { \
+      if (a.r.left < b.r.right - 1 && b.r.left < a.r.right - 1 && a.r.top < b.r.bottom - 1 && b.r.top < a.r.bottom - 1) \
+        found.push(`${a.name} overlaps ${b.name}`); })); \
+    const inside = (boxes, e) => { const o = box(e); boxes.forEach(({ name, r }) => { \
+      if (r.left < o.r.left - 1 || r.right > o.r.right + 1 || r.top < o.r.top - 1 || r.bottom > o.r.bottom + 1) \
+        found.push(`${name} sticks out of ${o.name}`); }); }; \
+    const header = document.querySelector('.bar'), tabs = innerWidth < 760 ? [] : [$('tabs')]; \
+    apart(seen([header, $('recorded'), ...tabs, ...document.querySelectorAll('main > section')])); \
+    for (const parent of [header, $('stage'), $('recorded')]) if (parent.checkVisibility()) { \
+      apart(seen(parent.children)); inside(seen(parent.children), parent); } \
+    apart([box($('bezel')), box(header), ...seen([$('bus'), $('drive'), $('values'), $('faults'), $('recorded')])]); \
+    if (innerWidth >= 760 && document.querySelector('main').getBoundingClientRect().bottom > innerHeight + 1) found.push('main sticks out'); \
+    return found.join('; '); })()";
+
+#[test]
+fn a_recording_leaves_the_layout_in_order_and_its_links_go_when_dismissed_or_reloaded() {
+    // One vehicle less to choose from: the whole header fits in one row of 1440 pixels.
+    let Some(mut visit) = visit_bench(1440, 900, None) else { return };
+    visit.wait_ready();
+    let header = |visit: &mut Visit, width: u32, condition: &str| {
+        visit.browser.wait_for(&format!("innerWidth === {width} && {condition}"));
+        let painted = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))";
+        visit.browser.eval(painted);
+        assert_eq!(visit.browser.text(CLUTTER), "", "at {width} once {condition}");
+        visit.browser.number("document.querySelector('.bar').offsetHeight")
+    };
+    for (width, tall) in [(1440, 900), (1280, 800), (1024, 768), (390, 844)] {
+        visit.browser.resize(width, tall);
+        let before = header(&mut visit, width, "$('recorded').hidden");
+        visit.browser.eval("toggleRecord()");
+        assert_eq!(header(&mut visit, width, "state.recording?.seconds > 1"), before, "recording at {width}");
+        visit.browser.eval("toggleRecord()");
+        assert_eq!(header(&mut visit, width, "!$('recorded').hidden"), before, "recorded at {width}");
+        visit.browser.click("#dismiss");
+        let after = header(&mut visit, width, "$('recorded').hidden && state.recorded");
+        assert_eq!(after, before, "dismissed at {width}");
+    }
+    visit.browser.eval("toggleRecord()");
+    visit.browser.wait_for("state.recording");
+    visit.browser.eval("toggleRecord()");
+    visit.browser.wait_for("!$('recorded').hidden");
+    visit.browser.eval("window.isOld = true; setTimeout(() => location.reload())");
+    visit.browser.wait_for("!window.isOld && document.body && 'ready' in document.body.dataset");
+    visit.browser.wait_for("state.recorded && $('recorded').hidden");
+    visit.leave();
+}
+
+#[test]
+fn no_name_of_a_control_is_broken_within_a_word() {
+    let Some(mut visit) = visit(1440, 900) else { return };
+    visit.wait_ready();
+    visit.browser.eval("for (const details of document.querySelectorAll('details')) details.open = true");
+    let broken = "[...document.querySelectorAll('.control > .name')].filter(e => e.checkVisibility()).flatMap(e => \
+        [...e.textContent.matchAll(/[^\\s/-]+/g)].filter(word => { const range = document.createRange(); \
+          range.setStart(e.firstChild, word.index); range.setEnd(e.firstChild, word.index + word[0].length); \
+          return new Set([...range.getClientRects()].map(r => Math.round(r.top))).size > 1; }).map(word => word[0])).join()";
+    for vehicle in ["citybus", "jiulong", "c5ev"] {
+        visit.browser.eval(&format!("send({{ do: 'start', vehicle: '{vehicle}' }})"));
+        visit.browser.wait_for(&format!("catalog.vehicle === '{vehicle}' && state"));
+        visit.browser.eval("for (const details of document.querySelectorAll('details')) details.open = true");
+        for (width, height) in [(1280, 800), (1366, 768), (1440, 900), (1024, 768), (360, 740)] {
+            visit.browser.resize(width, height);
+            for tab in ["drive", "faults"] {
+                visit.browser.eval(&format!("showTab('{tab}')"));
+                assert_eq!(visit.browser.text(broken), "", "{vehicle} at {width} in {tab}");
+                let wide = visit.browser.number("document.documentElement.scrollWidth - innerWidth");
+                assert!(wide <= 0.0, "{vehicle}: {wide} pixels too wide at {width} in {tab}");
+            }
+        }
+    }
+    visit.leave();
+}
+
+/// Serves one HTML page for as long as the process runs and returns its port.
+fn foreign_site(html: String) -> u16 {
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = listener.local_addr().unwrap().port();
+    std::thread::spawn(move || {
+        for stream in listener.incoming() {
+            let Ok(mut stream) = stream else { continue };
+            let _ = stream.read(&mut [0; 4_096]);
+            let head =
+                format!("Content-Type: text/html\r\nContent-Length: {}\r\nConnection: close", html.len());
+            let _ = write!(stream, "HTTP/1.1 200 OK\r\n{head}\r\n\r\n{html}");
+        }
+    });
+    port
+}
+
+#[test]
+fn a_foreign_site_in_the_same_browser_is_refused_whatever_it_tries() {
+    let Some(visit) = visit(1440, 900) else { return };
+    let bench = visit.address;
+    let html = format!(
+        "<!doctype html><title>foreign</title><body><script> \
+         const got = window.got = {{}}; \
+         const told = (what, how) => {{ got[what] = how; }}; \
+         const element = (what, tag, rest) => {{ const e = document.createElement(tag); \
+           e.onload = () => told(what, 'answered'); e.onerror = () => told(what, 'refused'); Object.assign(e, rest); document.body.append(e); }}; \
+         element('img', 'img', {{ src: 'http://{bench}/screen/8' }}); \
+         element('bare img', 'img', {{ src: 'http://{bench}/screen/7', referrerPolicy: 'no-referrer' }}); \
+         element('script', 'script', {{ src: 'http://{bench}/' }}); \
+         fetch('http://{bench}/screen/6').then(() => told('fetch', 'answered'), () => told('fetch', 'refused')); \
+         fetch('http://{bench}/screen/5', {{ mode: 'no-cors' }}).then(() => told('no-cors', 'answered'), () => told('no-cors', 'refused')); \
+         const socket = new WebSocket('ws://{bench}/live'); \
+         socket.onopen = () => {{ told('socket', 'answered'); socket.send('{{\"do\":\"pause\",\"on\":true}}'); }}; \
+         socket.onerror = () => told('socket', 'refused'); \
+         const frame = document.createElement('iframe'); frame.src = 'http://{bench}/'; \
+         frame.onload = () => told('iframe', 'loaded'); document.body.append(frame); \
+         </script>"
+    );
+    let port = foreign_site(html);
+    let chromium = browser::find().unwrap();
+    // The same site on another port, and another site: a browser tells them apart.
+    for origin in [format!("http://127.0.0.1:{port}/"), format!("http://localhost:{port}/")] {
+        let mut foreign = Browser::open(&chromium, &origin, 800, 600);
+        foreign.wait_for("window.got && Object.keys(got).length === 7");
+        for what in ["img", "bare img", "script", "fetch", "no-cors", "socket"] {
+            assert_eq!(foreign.text(&format!("got['{what}']")), "refused", "{what} from {origin}");
+        }
+        let statuses = foreign.statuses(&bench.to_string());
+        assert_eq!(statuses.len(), 6, "all but the socket: {statuses:?}");
+        for (url, status) in &statuses {
+            assert_eq!(*status, 403, "{url} from {origin}");
+        }
+        assert!(statuses.iter().any(|(url, _)| *url == format!("http://{bench}/")), "{statuses:?}");
     }
     visit.leave();
 }

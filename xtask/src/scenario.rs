@@ -184,11 +184,7 @@ fn run_one(job: &Job<'_>, elf: Option<&Path>, bless: bool) -> Verdict {
         (Place::Host, _) => scenario::run(job.scenario, &mut HostSubject::new(kind, options)),
         (Place::Firmware, None) => broken("no firmware"),
         (Place::Firmware, Some(elf)) => {
-            let pictures = Pictures {
-                golden: scenario::folder().join(kind.name()).join("pictures"),
-                actual: workspace::root().join("target/out/scenarios").join(kind.name()),
-                bless,
-            };
+            let pictures = Pictures::of(kind, &workspace::root().join("target/out/scenarios"), bless);
             match BenchSubject::new(elf, kind, options, pictures) {
                 Ok(mut subject) => scenario::run(job.scenario, &mut subject),
                 Err(error) => broken(&format!("{error:#}")),

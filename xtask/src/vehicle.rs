@@ -35,7 +35,7 @@ const CLUSTER: &str = "Cluster";
 /// Where to play which vehicle.
 #[derive(Args, Clone, Debug)]
 pub struct Options {
-    /// Vehicle to play: bus, jiulong or c5ev.
+    /// Vehicle to play: citybus, jiulong or c5ev.
     #[arg(long, value_name = "NAME", default_value = "citybus")]
     vehicle: String,
     /// CAN interface of Linux, up and with the vehicle's bit rate: can0.

@@ -68,8 +68,8 @@ pub(super) struct State<'a> {
     line: Option<Line>,
     bus: BusUpdate,
     recording: Option<Length>,
-    /// A recording that has ended and may be fetched.
-    recorded: Option<Length>,
+    /// A recording that has ended and may be fetched: its number, how long it is.
+    recorded: Option<(u64, Length)>,
     playing: Option<&'a Story>,
     /// Why the bench stopped, if it did.
     stopped: Option<&'a str>,
@@ -89,7 +89,7 @@ pub(super) struct Around<'a> {
     pub(super) wall: Duration,
     pub(super) wires: &'a Wires,
     pub(super) recording: Option<Length>,
-    pub(super) recorded: Option<Length>,
+    pub(super) recorded: Option<(u64, Length)>,
     pub(super) playing: Option<&'a Story>,
     pub(super) stopped: Option<&'a str>,
     pub(super) bus: BusUpdate,

@@ -1,17 +1,19 @@
 //! The page of a running bench: the panel, the vehicle around it, the bus, in a browser.
 //!
 //! [`Server`] puts one bench on a thread of its own ([`session`]) and serves one self-contained page to any number of
-//! browsers of this machine ([`serve`]). [`catalog`] is what there is to change and to read, [`live`] what is told while
-//! it runs, [`pace`] how virtual time follows the wall clock, [`trace`] the bus, [`recording`] what is kept,
-//! [`scenes`] stories that play. The page
-//! itself is three files without a build step: `page.html`, `page.css`, `page.js`.
+//! browsers of this machine ([`serve`]; [`gate`] says whom). [`catalog`] is what there is to change and to read, [`live`]
+//! what is told while it runs, [`pace`] how virtual time follows the wall clock, [`trace`] the bus, [`recording`] what is
+//! kept, [`screens`] pictures of the panel, [`scenes`] stories that play. The page itself is three files without a build
+//! step: `page.html`, `page.css`, `page.js`.
 
 mod beside;
 mod catalog;
+mod gate;
 mod live;
 mod pace;
 mod recording;
 mod scenes;
+mod screens;
 mod serve;
 mod session;
 mod trace;
@@ -50,6 +52,7 @@ pub struct Server {
     address: SocketAddr,
     end: Option<oneshot::Sender<()>>,
     thread: Option<JoinHandle<Result<()>>>,
+    bench: Option<JoinHandle<()>>,
 }
 
 impl Server {
@@ -70,7 +73,7 @@ impl Server {
 
         let (latest, to_newcomers) = watch::channel(Latest::default());
         let (updates, _) = broadcast::channel(UPDATES_KEPT);
-        let (requests, asked) = mpsc::channel();
+        let (commands, given) = mpsc::channel();
         let (ready, is_ready) = mpsc::channel();
         let beginning = Beginning {
             make: Box::new(make),
@@ -81,18 +84,22 @@ impl Server {
             latest,
             updates: updates.clone(),
         };
-        std::thread::Builder::new().name("bench".into()).spawn(move || match Session::new(beginning) {
-            Ok(session) => {
-                let _ = ready.send(Ok(()));
-                session.run(&asked);
-            }
-            Err(error) => {
-                let _ = ready.send(Err(error));
+        let bench = std::thread::Builder::new().name("bench".into()).spawn(move || {
+            match Session::new(beginning) {
+                Ok(session) => {
+                    let _ = ready.send(Ok(()));
+                    session.run(&given);
+                }
+                Err(error) => {
+                    let _ = ready.send(Err(error));
+                }
             }
         })?;
         is_ready.recv().context("the bench ended while it was built")??;
 
-        let routes = serve::routes(serve::Shared { requests, latest: to_newcomers, updates });
+        let screens = screens::Screens::new(recording::png);
+        let shared = serve::Shared { commands, latest: to_newcomers, updates, screens };
+        let routes = serve::routes(shared, address.port());
         let (end, ended) = oneshot::channel();
         let thread = std::thread::Builder::new().name("page".into()).spawn(move || -> Result<()> {
             let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
@@ -104,7 +111,7 @@ impl Server {
                 }
             })
         })?;
-        Ok(Self { address, end: Some(end), thread: Some(thread) })
+        Ok(Self { address, end: Some(end), thread: Some(thread), bench: Some(bench) })
     }
 
     /// Where the page is.
@@ -128,6 +135,9 @@ impl Drop for Server {
         if let (Some(end), Some(thread)) = (self.end.take(), self.thread.take()) {
             let _ = end.send(());
             let _ = thread.join();
+        }
+        if let Some(bench) = self.bench.take() {
+            let _ = bench.join();
         }
     }
 }

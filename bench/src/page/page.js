@@ -16,6 +16,9 @@ const WORDS = {
   paused: ["已暂停", "paused"],
   record: ["录制", "Record"],
   bus_log: ["总线日志", "Bus log"],
+  recorded: ["已录制", "Recorded"],
+  frames_in: ["帧", "frames"],
+  dismiss: ["关闭", "Dismiss"],
   screenshot: ["截图", "Screenshot"],
   sound: ["声音", "Sound"],
   help: ["按键帮助", "Keys"],
@@ -60,8 +63,9 @@ const WORDS = {
   scenario: ["场景", "Scenario"],
   play: ["从上电开始播放场景", "Play the scenario from power-on"],
   judging: ["正在独立运行并判定……", "being judged by a run of its own ..."],
-  all_passed: ["项期望全部满足", "expectations came true"],
-  not_passed: ["项期望未满足，共", "expectations failed, of"],
+  all_passed: ["项期望全部满足", "expectation came true", "expectations came true"],
+  passed_so_far: ["项期望已满足，共", "expectation came true so far, of", "expectations came true so far, of"],
+  not_passed: ["项期望未满足，共", "expectation failed, of", "expectations failed, of"],
   truth: ["车辆实际", "Vehicle"],
   shown: ["仪表显示", "Cluster says"],
   no_lamps: ["没有点亮的指示灯", "No lamp is lit"],
@@ -110,6 +114,7 @@ const REPORTED = { yes: "是", no: "否", none: "无", warn: "报警", derate: "
 
 const KEYS = [
   [["↑"], ["按住加速", "hold: accelerate"]], [["↓"], ["按住制动", "hold: brake"]],
+  [["←", "→"], ["在所选的一组内移动", "move within the group, the slider or the list that has the focus"]],
   [["D", "N", "R", "P"], ["档位", "gear"]], [["H"], ["驻车制动", "parking brake"]],
   [["1", "2", "3"], ["预设：行驶、停车、充电", "presets: drive, stop, charge"]],
   [["A", "B"], ["仪表按键（可按住）", "the cluster's buttons (may be held)"]],
@@ -145,6 +150,8 @@ let language = stored("language", navigator.language.toLowerCase().startsWith("z
 const pick = pair => pair[language === "zh" ? 0 : 1];
 const word = key => pick(WORDS[key]);
 const named = thing => thing[language];
+/** A number of things; the third word is English for more or less than one. */
+const counted = (number, key) => `${number} ${number !== 1 && language === "en" ? WORDS[key][2] : word(key)}`;
 
 /** Makes an element: tag, properties (class, on..., data and aria as they are), children. */
 function make(tag, properties = {}, ...children) {
@@ -160,26 +167,33 @@ function make(tag, properties = {}, ...children) {
 function write(element, text) { if (element.textContent !== text) element.textContent = text; }
 function flag(element, name, on) { if (element.getAttribute(name) !== String(on)) element.setAttribute(name, on); }
 
-/** A row of buttons of which one is chosen; arrow keys move. */
+/**
+ * A row of buttons of which one is chosen. Tab comes to the chosen one, left and right move the focus and nothing else,
+ * Enter and Space choose: an arrow must not shift the gear or start another vehicle. Up and down are the pedals, here as
+ * everywhere.
+ */
 function segments(container, choices, choose) {
+  let chosen = 0;
+  const enterAt = entry => buttons.forEach((button, index) => { button.tabIndex = index === entry ? 0 : -1; });
   const buttons = choices.map(([value, text]) => make("button", {
     type: "button", role: "radio", "data-value": String(value), onclick: () => choose(value),
+    onfocus: event => enterAt(buttons.indexOf(event.target)), onblur: () => enterAt(chosen),
     onkeydown: event => {
-      const move = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-      if (!move) return;
+      const move = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      if (!move || isModified(event)) return;
       event.preventDefault();
-      const next = buttons[(buttons.indexOf(event.target) + move + buttons.length) % buttons.length];
-      next.focus(); next.click();
+      buttons[(buttons.indexOf(event.target) + move + buttons.length) % buttons.length].focus();
     },
   }, text));
+  // Built again under a person's hands: the focus stays where it was.
+  const focused = container.contains(document.activeElement) ? document.activeElement.dataset.value : undefined;
   container.replaceChildren(...buttons);
+  enterAt(chosen);
+  buttons.find(button => button.dataset.value === focused)?.focus();
   return value => {
-    const known = choices.some(([v]) => v === value);
-    buttons.forEach((button, index) => {
-      const on = choices[index][0] === value;
-      flag(button, "aria-checked", on);
-      button.tabIndex = on || (!known && index === 0) ? 0 : -1;
-    });
+    chosen = Math.max(0, choices.findIndex(([known]) => known === value));
+    buttons.forEach((button, index) => flag(button, "aria-checked", choices[index][0] === value));
+    if (!container.contains(document.activeElement)) enterAt(chosen);
   };
 }
 
@@ -191,7 +205,7 @@ const send = command => { if (socket && socket.readyState === WebSocket.OPEN) so
 function connect() {
   socket = new WebSocket(`ws://${location.host}/live`);
   socket.binaryType = "blob";
-  socket.onopen = () => document.body.classList.remove("lost");
+  socket.onopen = () => { document.body.classList.remove("lost"); dismissed = null; };
   socket.onmessage = event => {
     if (typeof event.data !== "string") { drawPicture(event.data); return; }
     const message = JSON.parse(event.data);
@@ -235,10 +249,13 @@ function fitPanel() {
   const wide = $("stage").clientWidth - border - (phone ? 20 : 28);
   let high = (phone ? 0.34 : 0.56) * innerHeight;
   if (getComputedStyle(document.body).display === "flex") {
-    // The page does not scroll: what the bus needs at least is not the panel's.
-    high = Math.min(high, document.querySelector("main").clientHeight - BUS_HEIGHT - 3 * 12 - 42 - border - document.querySelector(".under").offsetHeight);
+    // The page does not scroll: what the bus needs at least is not the panel's, nor what stands below it.
+    const below = [...$("stage").children].filter(element => element !== $("bezel") && !element.hidden);
+    // Its own padding and border, and a gap above each of them.
+    const others = below.reduce((sum, element) => sum + element.offsetHeight + 12, 18 + 12 + 2);
+    high = Math.min(high, document.querySelector("main").clientHeight - BUS_HEIGHT - 3 * 12 - border - others);
   }
-  canvas.style.width = Math.round(Math.max(160, Math.min(wide, high * 4 / 3))) + "px";
+  canvas.style.width = Math.floor(Math.max(160, Math.min(wide, high * 4 / 3))) + "px";
 }
 
 // --- sound ---------------------------------------------------------------------------------------------------------
@@ -279,6 +296,8 @@ function playTones(message) {
 
 /** path -> { control, index, show(setting), initial } */
 let rows = new Map(), showVehicle = () => {}, showGear = () => {}, touched = new Map();
+/** Number of the recording that is not offered, because it was there when the page came or the person has done with it. */
+let dismissed = null;
 
 function takeCatalog(message) {
   const again = catalog && catalog.bench !== message.bench;
@@ -478,7 +497,6 @@ function release(id) {
 
 function takeState(message) {
   if (!catalog || message.bench !== catalog.bench) return;
-  const first = !state;
   state = message;
   const seconds = message.seconds, minutes = Math.floor(seconds / 60);
   write($("clock"), `${minutes}:${(seconds - minutes * 60).toFixed(2).padStart(5, "0")}`);
@@ -498,16 +516,26 @@ function takeState(message) {
   showRecording(message);
   showBus(message);
   showStory(message.playing, message.seconds);
-  if (first) fitPanel();
   document.body.dataset.ready = "";
 }
 
 function showRecording(message) {
   flag($("record"), "aria-pressed", Boolean(message.recording));
   const length = message.recording;
-  write($("record-text"), length ? `${length.seconds.toFixed(0)} s · ${length.frames}` : word("record"));
-  if (message.recorded?.full && $("recorded").hidden) notice(word("full"));
-  $("recorded").hidden = !message.recorded;
+  write($("record-text"), length ? `${length.seconds.toFixed(0)} s` : word("record"));
+  $("record").title = length ? `${length.frames} ${word("frames_in")}` : "";
+  const [number, kept] = message.recorded ?? [null, null];
+  dismissed ??= number ?? 0;
+  const isOffered = kept !== null && number !== dismissed;
+  if (isOffered) {
+    write($("recorded-length"), `${kept.seconds.toFixed(1)} s · ${kept.frames} ${word("frames_in")}`);
+    if (kept.full && $("recorded").hidden) notice(word("full"));
+  }
+  $("recorded").hidden = !isOffered;
+}
+function dismissRecording() {
+  [dismissed] = state?.recorded ?? [dismissed];
+  $("recorded").hidden = true;
 }
 
 // --- values --------------------------------------------------------------------------------------------------------
@@ -556,13 +584,15 @@ let storyOf = null;
 function showStory(story, seconds) {
   $("story").hidden = !story;
   if (!story) return;
-  // Built again when the verdict comes in.
-  const state = `${catalog.bench} ${Boolean(story.checks)} ${story.problem}`;
+  const checks = story.checks ?? [], found = checks.filter(check => check.found), failed = found.filter(check => !check.found.passed);
+  // Built again when the verdict comes in and when the story has come to one more of its checks.
+  const state = `${catalog.bench} ${Boolean(story.checks)} ${found.length} ${story.problem}`;
   if (storyOf !== state) {
     storyOf = state;
     write($("story-title"), story.title);
     const lines = [...story.deeds.map(([at, text]) => ({ at, text, sign: "▸", kind: "" })),
-      ...(story.checks ?? []).map(([at, expected, got, passed]) => ({ at, text: passed ? expected : `${expected} ≠ ${got}`, sign: passed ? "✓" : "✗", kind: passed ? "passed" : "failed" }))];
+      ...checks.map(({ at, expected, found }) => !found ? { at, text: expected, sign: "·", kind: "" }
+        : found.passed ? { at, text: expected, sign: "✓", kind: "passed" } : { at, text: `${expected} ≠ ${found.got}`, sign: "✗", kind: "failed" })];
     lines.sort((a, b) => a.at - b.at);
     $("story-list").replaceChildren(...lines.map(({ at, text, sign, kind }) => make("li", { class: kind, "data-at": String(at) }, make("time", {}, at.toFixed(1)), make("i", {}, sign), make("span", {}, text))));
   }
@@ -574,9 +604,10 @@ function showStory(story, seconds) {
     if (past) last = line;
   }
   if (last && !$("story-list").contains(document.activeElement)) $("story-list").scrollTop = Math.max(0, last.offsetTop - $("story-list").offsetTop - 120);
-  const failed = (story.checks ?? []).filter(check => !check[3]).length, all = story.checks?.length ?? 0;
-  $("story-verdict").className = "fact" + (story.checks ? failed ? " failed" : " passed" : "");
-  write($("story-verdict"), story.problem ?? (!story.checks ? word("judging") : failed ? `${failed} ${word("not_passed")} ${all}` : `${all} ${word("all_passed")}`));
+  const isWhole = story.checks && found.length === checks.length;
+  $("story-verdict").className = "fact" + (failed.length ? " failed" : isWhole ? " passed" : "");
+  write($("story-verdict"), story.problem ?? (!story.checks ? word("judging") : failed.length ? `${counted(failed.length, "not_passed")} ${checks.length}`
+    : isWhole ? counted(found.length, "all_passed") : `${counted(found.length, "passed_so_far")} ${checks.length}`));
 }
 
 // --- the bus -------------------------------------------------------------------------------------------------------
@@ -746,7 +777,6 @@ function speak(to) { language = to; store("language", to); translate(); }
 function showTab(tab) {
   document.body.dataset.tab = tab;
   for (const button of $("tabs").children) flag(button, "aria-selected", button.dataset.tab === tab);
-  fitPanel();
 }
 function changeFactor(move) {
   if (!state) return;
@@ -781,13 +811,21 @@ for (const digit of [1, 2, 3]) DOWN[digit] = () => $("presets").children[digit -
 const UP = { ArrowUp: () => release("accelerator"), ArrowDown: () => release("brake"), a: () => hold(0, false), b: () => hold(1, false) };
 const keyOf = event => event.key.length === 1 ? event.key.toLowerCase() : event.key;
 
-/** Whether the focused element needs this key itself. */
+const isModified = event => event.ctrlKey || event.metaKey || event.altKey;
+/** Whether a list of choices has dropped down; a browser that cannot tell keeps the keys of one to itself. */
+const isOpen = select => CSS.supports("selector(:open)") && select.matches(":open");
+
+/**
+ * Whether the focused element needs this key itself. Up and down are the pedals whatever has the focus, but for boxes
+ * that one types into and a list of choices that has dropped down; what they would do elsewhere (turn a slider, step
+ * through a closed list, scroll), left and right, Page Up and Page Down do.
+ */
 function isTaken(event) {
   const element = event.target;
-  if ($("keys").open || event.ctrlKey || event.metaKey || event.altKey) return true;
-  if (element.matches("input[type=number], input[type=search], select")) return true;
+  if ($("keys").open || isModified(event)) return true;
+  if (element.matches("input[type=number], input[type=search]")) return true;
+  if (element.matches("select")) return !event.key.startsWith("Arrow") || isOpen(element);
   if (event.key === " ") return element.matches("button, summary, a, input, [role=group]");
-  if (event.key.startsWith("Arrow")) return element.matches("input[type=range], [role=radio], .scroll");
   return false;
 }
 
@@ -803,6 +841,9 @@ addEventListener("keyup", event => UP[keyOf(event)]?.());
 addEventListener("blur", () => { for (const release of Object.values(UP)) release(); });
 addEventListener("pointerdown", wakeAudio);
 addEventListener("resize", fitPanel);
+// Whatever takes room from the panel, before it is painted; none of these depends on the panel's own size.
+const room = new ResizeObserver(fitPanel);
+for (const element of [document.querySelector(".bar"), $("recorded"), $("tabs"), document.querySelector(".under"), $("stopped")]) room.observe(element);
 
 for (const id of Object.keys(PEDALS)) {
   const pedal = $(id);
@@ -822,8 +863,8 @@ for (const index of [0, 1]) {
   button.onblur = () => hold(index, false);
 }
 $("rows").onkeydown = event => {
-  const move = { ArrowDown: 1, ArrowUp: -1 }[event.key], list = [...$("frames").children];
-  if (!move || !list.length || view !== "by_id") return;
+  const move = { ArrowRight: 1, ArrowLeft: -1 }[event.key], list = [...$("frames").children];
+  if (!move || isModified(event) || !list.length || view !== "by_id") return;
   event.preventDefault();
   const at = list.findIndex(row => row.classList.contains("chosen"));
   const next = list[Math.max(0, Math.min(list.length - 1, at < 0 ? 0 : at + move))];
@@ -835,6 +876,7 @@ $("step").onclick = () => send({ do: "step", slices: 1 });
 $("slower").onclick = () => changeFactor(-1);
 $("faster").onclick = () => changeFactor(1);
 $("record").onclick = toggleRecord;
+$("dismiss").onclick = dismissRecording;
 $("sound").onclick = toggleSound;
 $("language").onclick = () => speak(language === "zh" ? "en" : "zh");
 $("help").onclick = () => $("keys").showModal();

@@ -8,6 +8,7 @@ use crate::log::candump_line;
 use crate::rig::Heard;
 use crate::time::Nanos;
 use anyhow::{Context, Result};
+use axum::body::Bytes;
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
 use serde::Serialize;
 
@@ -58,10 +59,11 @@ pub(super) struct Recorder {
     frames: usize,
 }
 
-/// A recording that has ended.
+/// A recording that has ended; its copies share its bytes.
+#[derive(Clone)]
 pub(super) struct Recording {
-    pub(super) gif: Vec<u8>,
-    pub(super) log: String,
+    pub(super) gif: Bytes,
+    pub(super) log: Bytes,
     pub(super) length: Length,
 }
 
@@ -128,7 +130,7 @@ impl Recorder {
     pub(super) fn finish(mut self) -> Result<Recording> {
         self.write_pending(self.now)?;
         let length = self.length();
-        Ok(Recording { gif: self.gif.into_inner()?, log: self.log, length })
+        Ok(Recording { gif: self.gif.into_inner()?.into(), log: self.log.into(), length })
     }
 
     fn write_pending(&mut self, now: Nanos) -> Result<()> {
@@ -231,7 +233,7 @@ mod tests {
         }
         let recording = recorder.finish().unwrap();
         assert_eq!(recording.length.frames, 3);
-        let log = Log::parse("recording.log", &recording.log).unwrap();
+        let log = Log::parse("recording.log", std::str::from_utf8(&recording.log).unwrap()).unwrap();
         assert_eq!(log.entries.iter().map(|entry| entry.at.0 / 1_000_000).collect::<Vec<_>>(), [0, 5, 10]);
         assert!(log.entries.iter().all(|entry| entry.frame == frame));
     }

@@ -1,20 +1,23 @@
 //! The page's web server: one page, one socket, a few files. Loopback only.
 //!
-//! Carries, and understands nothing. A page of another site that runs in the same browser must not drive the bench:
-//! requests that another origin makes, or that come under another host's name, are refused.
+//! Carries, and understands nothing; [`gate`] says who is answered. The bench's thread is asked for nothing but what a
+//! page's commands do: files are made here, of what it told last, so that no number of requests slows virtual time.
 
-use super::session::{Command, File, Latest, Request, Update};
+use super::gate;
+use super::screens::Screens;
+use super::session::{Command, Latest, Update};
 use super::trace;
+use axum::body::Bytes;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
-use axum::extract::{Path, Request as WebRequest, State};
-use axum::http::header::{CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, ORIGIN};
-use axum::http::{HeaderMap, StatusCode};
+use axum::extract::{Path, Request, State};
+use axum::http::StatusCode;
+use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::middleware::{self, Next};
 use axum::response::{Html, IntoResponse, Response};
 use axum::routing::get;
 use std::sync::{LazyLock, mpsc};
 use tokio::sync::broadcast::error::RecvError;
-use tokio::sync::{broadcast, oneshot, watch};
+use tokio::sync::{broadcast, watch};
 
 /// The page: markup, style and script are three files in the source and one on the wire.
 static PAGE: LazyLock<String> = LazyLock::new(|| {
@@ -23,53 +26,45 @@ static PAGE: LazyLock<String> = LazyLock::new(|| {
         .replace("/* page.js */", include_str!("page.js"))
 });
 
-/// Everything the page needs is in it.
-const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob: 'self'; \
-                      connect-src 'self'";
-
 /// Largest command that a page may send, in bytes.
 const COMMAND_MAX: usize = 4_096;
 
 /// What a handler can reach.
 #[derive(Clone)]
 pub(super) struct Shared {
-    pub(super) requests: mpsc::Sender<Request>,
+    pub(super) commands: mpsc::Sender<Command>,
     pub(super) latest: watch::Receiver<Latest>,
     pub(super) updates: broadcast::Sender<Update>,
+    pub(super) screens: Screens,
 }
 
-/// Returns everything that is served.
-pub(super) fn routes(shared: Shared) -> axum::Router {
+/// Returns everything that is served on `port`.
+pub(super) fn routes(shared: Shared, port: u16) -> axum::Router {
     axum::Router::new()
-        .route("/", get(page))
+        .route("/", get(async || Html(PAGE.as_str())))
         .route("/live", get(join))
         .route("/decode/{id}/{data}", get(decode))
         .route("/screen/{scale}", get(screen))
-        .route("/recording.gif", get(|shared| recording(shared, File::Gif)))
-        .route("/recording.log", get(|shared| recording(shared, File::Log)))
+        .route("/recording.gif", get(gif))
+        .route("/recording.log", get(log))
         .with_state(shared)
-        .layer(middleware::from_fn(only_own_pages))
+        .layer(middleware::from_fn_with_state(port, guard))
 }
 
-async fn page() -> impl IntoResponse {
-    ([(CONTENT_SECURITY_POLICY, POLICY)], Html(PAGE.as_str()))
-}
-
-async fn only_own_pages(request: WebRequest, next: Next) -> Response {
-    if is_own(request.headers()) {
+/// Refuses who is not to be answered, and says on every answer what a browser may do with it.
+async fn guard(State(port): State<u16>, request: Request, next: Next) -> Response {
+    let mut answer = if gate::is_answered(request.headers(), request.uri().path(), port) {
         next.run(request).await
     } else {
-        (StatusCode::FORBIDDEN, "this bench answers its own page on this machine only").into_response()
-    }
-}
-
-/// Whether a request comes from the bench's own page, or from no page at all.
-fn is_own(headers: &HeaderMap) -> bool {
-    let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
-    let Some(host) = text(HOST) else { return false };
-    let name = host.rsplit_once(':').map_or(host, |(name, _)| name);
-    let local = matches!(name, "127.0.0.1" | "localhost" | "[::1]");
-    local && text(ORIGIN).is_none_or(|origin| origin.strip_prefix("http://") == Some(host))
+        let own = format!("http://127.0.0.1:{port}/");
+        let how = format!(
+            "this bench answers its own page on this machine only: type {own} into the address bar; a tool sends \
+             the header `Referer: {own}`\n"
+        );
+        (StatusCode::FORBIDDEN, how).into_response()
+    };
+    answer.headers_mut().extend(gate::HEADERS);
+    answer
 }
 
 async fn join(upgrade: WebSocketUpgrade, State(shared): State<Shared>) -> Response {
@@ -82,7 +77,7 @@ async fn talk(mut socket: WebSocket, shared: Shared) {
     let latest = shared.latest.borrow().clone();
     let greeted = socket.send(Message::Text(latest.catalog)).await.is_ok()
         && (latest.picture.is_empty() || socket.send(Message::Binary(latest.picture)).await.is_ok());
-    if !greeted || shared.requests.send(Request::Do(Command::Look)).is_err() {
+    if !greeted || shared.commands.send(Command::Look).is_err() {
         return;
     }
     loop {
@@ -93,7 +88,7 @@ async fn talk(mut socket: WebSocket, shared: Shared) {
                     Ok(Update::Text(text)) => Message::Text(text),
                     // A page that is too slow goes on with what is new, and is told all rows again.
                     Err(RecvError::Lagged(_)) => {
-                        let _ = shared.requests.send(Request::Do(Command::Look));
+                        let _ = shared.commands.send(Command::Look);
                         continue;
                     }
                     Err(RecvError::Closed) => return,
@@ -104,8 +99,8 @@ async fn talk(mut socket: WebSocket, shared: Shared) {
             }
             message = socket.recv() => match message {
                 Some(Ok(Message::Text(text))) => {
-                    let request = serde_json::from_str(&text).map(Request::Do);
-                    if request.is_ok_and(|request| shared.requests.send(request).is_err()) {
+                    let command = serde_json::from_str(&text);
+                    if command.is_ok_and(|command| shared.commands.send(command).is_err()) {
                         return;
                     }
                 }
@@ -127,51 +122,35 @@ async fn decode(Path((id, data)): Path<(String, String)>) -> Response {
 }
 
 async fn screen(State(shared): State<Shared>, Path(scale): Path<u32>) -> Response {
-    file(&shared, File::Picture(scale)).await
+    match shared.screens.png(&shared.latest, scale).await {
+        Ok(png) => file("image/png", "cluster.png", png),
+        Err(problem) => (StatusCode::NOT_FOUND, problem).into_response(),
+    }
 }
 
-async fn recording(State(shared): State<Shared>, wanted: File) -> Response {
-    file(&shared, wanted).await
+async fn gif(State(shared): State<Shared>) -> Response {
+    let recorded = shared.latest.borrow().recorded.clone();
+    recorded.map_or_else(nothing_recorded, |recording| file("image/gif", "cluster.gif", recording.gif))
 }
 
-async fn file(shared: &Shared, file: File) -> Response {
-    let (reply, answer) = oneshot::channel();
-    if shared.requests.send(Request::Make(file, reply)).is_err() {
-        return (StatusCode::GONE, "the bench has ended").into_response();
-    }
-    let (kind, name) = match file {
-        File::Picture(_) => ("image/png", "cluster.png"),
-        File::Gif => ("image/gif", "cluster.gif"),
-        File::Log => ("text/plain; charset=utf-8", "cluster.log"),
-    };
-    match answer.await {
-        Ok(Ok(bytes)) => {
-            let name = format!("attachment; filename=\"{name}\"");
-            ([(CONTENT_TYPE, kind.to_owned()), (CONTENT_DISPOSITION, name)], bytes).into_response()
-        }
-        Ok(Err(problem)) => (StatusCode::NOT_FOUND, problem).into_response(),
-        Err(_) => (StatusCode::GONE, "the bench has ended").into_response(),
-    }
+async fn log(State(shared): State<Shared>) -> Response {
+    let recorded = shared.latest.borrow().recorded.clone();
+    let kind = "text/plain; charset=utf-8";
+    recorded.map_or_else(nothing_recorded, |recording| file(kind, "cluster.log", recording.log))
+}
+
+fn nothing_recorded() -> Response {
+    (StatusCode::NOT_FOUND, "nothing has been recorded yet").into_response()
+}
+
+fn file(kind: &'static str, name: &str, bytes: Bytes) -> Response {
+    let name = format!("attachment; filename=\"{name}\"");
+    ([(CONTENT_TYPE, kind.to_owned()), (CONTENT_DISPOSITION, name)], bytes).into_response()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use axum::http::{HeaderName, HeaderValue};
-
-    fn asked(headers: &[(HeaderName, &'static str)]) -> bool {
-        is_own(&headers.iter().map(|(name, value)| (name.clone(), HeaderValue::from_static(value))).collect())
-    }
-
-    #[test]
-    fn only_the_own_page_on_this_machine_is_answered() {
-        assert!(asked(&[(HOST, "127.0.0.1:8015")]));
-        assert!(asked(&[(HOST, "localhost:8015"), (ORIGIN, "http://localhost:8015")]));
-        assert!(!asked(&[(HOST, "127.0.0.1:8015"), (ORIGIN, "http://example.org")]), "another site");
-        assert!(!asked(&[(HOST, "127.0.0.1:8015"), (ORIGIN, "http://127.0.0.1:9000")]), "another port");
-        assert!(!asked(&[(HOST, "bench.example.org:8015")]), "a name that was bent to this machine");
-        assert!(!asked(&[]));
-    }
 
     #[test]
     fn the_page_is_whole_and_names_no_other_host() {

@@ -1,13 +1,14 @@
 //! The thread that owns the bench: obeys the pages, keeps the pace, tells what happened.
 //!
-//! Everything that touches the [`Rig`] happens here, one command after the other. A bench that has stopped (the firmware
-//! did what is not modelled) stays to be looked at until it is started again. Memory is bounded over any length of run.
+//! Everything that touches the [`Rig`] happens here, one command after the other, and nothing else: files are made by the
+//! server, of what is told in [`Latest`]. A bench that has stopped (the firmware did what is not modelled) stays to be
+//! looked at until it is started again. Memory is bounded over any length of run.
 
 use super::catalog::{self, Catalog};
 use super::live::{self, State, Told};
 use super::pace::{Pace, SLICE};
-use super::recording::{self, Recorder, Recording};
-use super::scenes::{self, Playing};
+use super::recording::{self, Length, Recorder, Recording};
+use super::scenes::{self, Judge, Playing};
 use super::trace::Trace;
 use super::wires::Wires;
 use crate::chips::picture::Picture;
@@ -18,9 +19,10 @@ use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::time::{Duration, Instant};
-use tokio::sync::{broadcast, oneshot, watch};
+use tokio::sync::{broadcast, watch};
 use virtual_vehicle::{Kind, Setting};
 
 /// Pictures are told at most this often.
@@ -89,25 +91,6 @@ pub(super) enum Command {
     Look,
 }
 
-/// A file that is made of the bench.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum File {
-    /// The picture as PNG, so many times as wide and high.
-    Picture(u32),
-    /// The last recording of the panel.
-    Gif,
-    /// The last recording of the bus.
-    Log,
-}
-
-/// What is asked of the bench's thread.
-pub(super) enum Request {
-    /// A page's command.
-    Do(Command),
-    /// A file; the answer says why there is none.
-    Make(File, oneshot::Sender<Result<Vec<u8>, String>>),
-}
-
 /// What is told to every page.
 #[derive(Clone, Debug)]
 pub(super) enum Update {
@@ -117,11 +100,16 @@ pub(super) enum Update {
     Text(Utf8Bytes),
 }
 
-/// What a page must know that has just come.
+/// What a page must know that has just come, and what files are made of.
 #[derive(Clone, Default)]
 pub(super) struct Latest {
     pub(super) catalog: Utf8Bytes,
+    /// What the panel shows, as PNG; empty = nothing was told yet.
     pub(super) picture: Bytes,
+    /// The same as pixels.
+    pub(super) shown: Option<Arc<Picture>>,
+    /// The last recording that has ended.
+    pub(super) recorded: Option<Recording>,
 }
 
 /// A line for the person at the page.
@@ -140,7 +128,7 @@ pub(super) struct Session {
     vehicle: Option<Kind>,
     recording_name: Option<String>,
     notes: Vec<String>,
-    elf: Option<PathBuf>,
+    judge: Option<Judge>,
     rig: Rig,
     /// Counts benches.
     bench: u64,
@@ -155,7 +143,8 @@ pub(super) struct Session {
     /// What the panel last looked like when it was told: when its glass last changed, and whether it was lit.
     pictured: Option<(Option<Nanos>, bool)>,
     recorder: Option<Recorder>,
-    recorded: Option<Recording>,
+    /// Counts recordings that have ended, and how long the last one is while it may be fetched.
+    recorded: (u64, Option<Length>),
     playing: Option<Playing>,
     stopped: Option<String>,
     latest: watch::Sender<Latest>,
@@ -177,7 +166,7 @@ impl Session {
     /// Builds the first bench.
     ///
     /// # Errors
-    /// If it cannot be built.
+    /// If it cannot be built, or no thread for judging scenarios can be started.
     pub(super) fn new(beginning: Beginning) -> Result<Self> {
         let Beginning { mut make, vehicle, recording, notes, elf, latest, updates } = beginning;
         let rig = build_at_ease(&mut make, vehicle)?;
@@ -188,7 +177,7 @@ impl Session {
             vehicle,
             recording_name: recording,
             notes,
-            elf,
+            judge: elf.map(Judge::of_firmware).transpose()?,
             rig,
             bench: 1,
             clock,
@@ -199,30 +188,34 @@ impl Session {
             whole: true,
             pictured: None,
             recorder: None,
-            recorded: None,
+            recorded: (0, None),
             playing: None,
             stopped: None,
             latest,
             updates,
         };
         session.tell_catalog();
+        session.tell_picture();
         Ok(session)
     }
 
     /// Runs until nobody can ask any more.
-    pub(super) fn run(mut self, requests: &Receiver<Request>) {
+    pub(super) fn run(mut self, commands: &Receiver<Command>) {
         let (mut pictured, mut told) = (Duration::ZERO, Duration::ZERO);
         loop {
             for _ in 0..COMMANDS_PER_SLICE {
-                let Ok(request) = requests.try_recv() else { break };
-                self.answer(request);
+                match commands.try_recv() {
+                    Ok(command) => self.take(command),
+                    Err(TryRecvError::Empty) => break,
+                    Err(TryRecvError::Disconnected) => return,
+                }
             }
             if self.stopped.is_none() && self.pace.is_due(self.rig.now(), self.clock.elapsed()) {
                 self.pass();
             } else {
                 let nap = self.pace.nap(self.rig.now(), self.clock.elapsed());
-                match requests.recv_timeout(nap) {
-                    Ok(request) => self.answer(request),
+                match commands.recv_timeout(nap) {
+                    Ok(command) => self.take(command),
                     Err(RecvTimeoutError::Timeout) => {}
                     Err(RecvTimeoutError::Disconnected) => return,
                 }
@@ -282,22 +275,16 @@ impl Session {
 
     fn end_recording(&mut self) -> Result<()> {
         if let Some(recorder) = self.recorder.take() {
-            self.recorded = Some(recorder.finish()?);
+            let recording = recorder.finish()?;
+            self.recorded = (self.recorded.0 + 1, Some(recording.length));
+            self.latest.send_modify(|latest| latest.recorded = Some(recording));
         }
         Ok(())
     }
 
-    fn answer(&mut self, request: Request) {
-        match request {
-            Request::Do(command) => {
-                if let Err(problem) = self.obey(command) {
-                    self.notice(&problem);
-                }
-            }
-            Request::Make(file, reply) => {
-                // Who has asked may have gone.
-                let _ = reply.send(self.file(file));
-            }
+    fn take(&mut self, command: Command) {
+        if let Err(problem) = self.obey(command) {
+            self.notice(&problem);
         }
     }
 
@@ -319,6 +306,11 @@ impl Session {
                     .as_deref()
                     .map(|name| Kind::from_name(name).ok_or_else(|| format!("there is no vehicle `{name}`")));
                 let kind = kind.transpose()?;
+                if kind.is_none() && self.recording_name.is_none() {
+                    return Err(
+                        "there is no recording to play: `cargo xtask run --log FILE` brings one".into()
+                    );
+                }
                 let rig = build_at_ease(&mut self.make, kind).map_err(|error| format!("{error:#}"))?;
                 return self.begin(rig, kind, None);
             }
@@ -326,13 +318,14 @@ impl Session {
                 let kind = self.vehicle.ok_or("a recording plays; choose a vehicle first")?;
                 let scenario = scenes::find(kind, &name).map_err(|error| format!("{error:#}"))?;
                 let mut rig = (self.make)(Some(kind)).map_err(|error| format!("{error:#}"))?;
-                let playing = Playing::start(scenario, &mut rig, self.elf.as_deref());
+                let playing = Playing::start(scenario, &mut rig, self.judge.as_mut());
                 return self.begin(rig, Some(kind), Some(playing));
             }
             Command::Record { on: true } => {
                 let recorder = Recorder::new(now, &picture(&self.rig));
                 self.recorder = Some(recorder.map_err(|error| format!("{error:#}"))?);
-                self.recorded = None;
+                self.recorded.1 = None;
+                self.latest.send_modify(|latest| latest.recorded = None);
             }
             Command::Record { on: false } => {
                 return self.end_recording().map_err(|error| format!("{error:#}"));
@@ -363,17 +356,6 @@ impl Session {
         Ok(())
     }
 
-    fn file(&self, file: File) -> Result<Vec<u8>, String> {
-        let recorded = || self.recorded.as_ref().ok_or_else(|| "nothing has been recorded yet".to_owned());
-        match file {
-            File::Picture(scale) => {
-                recording::png(&picture(&self.rig), scale).map_err(|error| format!("{error:#}"))
-            }
-            File::Gif => Ok(recorded()?.gif.clone()),
-            File::Log => Ok(recorded()?.log.clone().into_bytes()),
-        }
-    }
-
     fn tell_catalog(&mut self) {
         let around = catalog::Around {
             bench: self.bench,
@@ -394,20 +376,24 @@ impl Session {
             return;
         }
         self.pictured = Some(look);
-        let Ok(png) = recording::png(&picture(&self.rig), 1) else { return };
+        let shown = picture(&self.rig);
+        let Ok(png) = recording::png(&shown, 1) else { return };
         let png = Bytes::from(png);
-        self.latest.send_modify(|latest| latest.picture = png.clone());
+        self.latest.send_modify(|latest| {
+            (latest.picture, latest.shown) = (png.clone(), Some(Arc::new(shown)));
+        });
         self.tell(Update::Picture(png));
     }
 
     fn tell_state(&mut self) {
+        let now = self.rig.now();
         let around = live::Around {
             bench: self.bench,
             wall: self.clock.elapsed(),
             wires: &self.wires,
             recording: self.recorder.as_ref().map(Recorder::length),
-            recorded: self.recorded.as_ref().map(|recording| recording.length),
-            playing: self.playing.as_mut().map(Playing::story),
+            recorded: self.recorded.1.map(|length| (self.recorded.0, length)),
+            playing: self.playing.as_mut().map(|playing| playing.story(now)),
             stopped: self.stopped.as_deref(),
             bus: self.trace.take(std::mem::take(&mut self.whole)),
         };

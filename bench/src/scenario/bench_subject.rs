@@ -22,11 +22,20 @@ use virtual_vehicle::{Kind, Options, VirtualVehicle};
 #[derive(Clone, Debug)]
 pub struct Pictures {
     /// The golden ones.
-    pub golden: PathBuf,
+    golden: PathBuf,
     /// Where one that differs is written to.
-    pub actual: PathBuf,
+    actual: PathBuf,
     /// What is shown becomes the golden picture.
-    pub bless: bool,
+    bless: bool,
+}
+
+impl Pictures {
+    /// The golden pictures of a vehicle's scenarios. One that differs is written into the vehicle's folder in `actual`;
+    /// with `bless`, what is shown becomes the golden one.
+    pub fn of(kind: Kind, actual: &Path, bless: bool) -> Self {
+        let golden = super::folder().join(kind.name()).join("pictures");
+        Self { golden, actual: actual.join(kind.name()), bless }
+    }
 }
 
 /// After this long without a pixel a picture is complete.

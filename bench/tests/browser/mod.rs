@@ -224,6 +224,29 @@ impl Browser {
         shot["data"].as_str().unwrap().to_owned()
     }
 
+    /// Every answer to a request whose address contains `host`, with its status.
+    pub(crate) fn statuses(&mut self, host: &str) -> Vec<(String, u64)> {
+        // A call brings in every event that was sent before its answer.
+        self.eval("1");
+        let given = |method: &str| {
+            let events = self.events.iter().filter(move |event| event["method"] == method);
+            events.map(|event| &event["params"]).collect::<Vec<_>>()
+        };
+        let mut asked = given("Network.requestWillBeSent");
+        asked.extend(given("Network.webSocketCreated"));
+        let mut answered = given("Network.responseReceivedExtraInfo");
+        answered.extend(given("Network.webSocketHandshakeResponseReceived"));
+        let status = |id: &Value| {
+            let answer = answered.iter().find(|answer| answer["requestId"] == *id)?;
+            answer["statusCode"].as_u64().or_else(|| answer["response"]["status"].as_u64())
+        };
+        let url = |asked: &Value| {
+            asked["request"]["url"].as_str().or_else(|| asked["url"].as_str()).map(str::to_owned)
+        };
+        let found = asked.iter().filter_map(|asked| Some((url(asked)?, status(&asked["requestId"])?)));
+        found.filter(|(url, _)| url.contains(host)).collect()
+    }
+
     /// What went wrong so far: errors in the console, exceptions, requests to other machines.
     pub(crate) fn problems(&mut self, origin: &str) -> Vec<String> {
         // A call brings in every event that was sent before its answer.

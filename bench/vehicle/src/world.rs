@@ -135,7 +135,7 @@ pub struct Motor {
     pub running: bool,
     /// Fault code by a person, 0 = none (meanings are the maker's).
     pub fault_code: u8,
-    /// Which protection bits are set (bus: IPU1, jiulong: VCU3). Bit n is the n-th named protection signal of the DBC,
+    /// Which protection bits are set (citybus: IPU1, jiulong: VCU3). Bit n is the n-th named protection signal of the DBC,
     /// reserved bits not counted: bus 0 = `bus_overcurrent` to 6 = `overspeed`, jiulong 0 = `igbt_protection` to 22 =
     /// `hardware_shutdown`.
     pub protections: u32,
@@ -375,7 +375,7 @@ pub struct ActiveFault {
     pub row: usize,
     /// How bad it is.
     pub severity: Severity,
-    /// Its code (bus), or the position of its bit in `BMSFaults` (jiulong) or `BMSD` (c5ev).
+    /// Its code (citybus), or the position of its bit in `BMSFaults` (jiulong) or `BMSD` (c5ev).
     pub code: u8,
 }
 
@@ -689,7 +689,7 @@ pub struct Charger {
     pub plugged: bool,
     /// Mains voltage in V, 0 = off; the right one is 220.
     pub mains_volts: f64,
-    /// Pantograph is up and wanted (bus).
+    /// Pantograph is up and wanted (citybus).
     pub pantograph: bool,
     /// Delivers.
     pub running: bool,

@@ -154,7 +154,7 @@ pub(super) struct Row {
     pub(super) fault: u8,
     /// Level.
     pub(super) severity: Severity,
-    /// Code (bus) or position of its bit (jiulong `BMSFaults`, c5ev `BMSD`); 0 on the bus = undefined.
+    /// Code (citybus) or position of its bit (jiulong `BMSFaults`, c5ev `BMSD`); 0 on the citybus = undefined.
     pub(super) code: u8,
     /// When it is monitored.
     pub(super) when: When,
