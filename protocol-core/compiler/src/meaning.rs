@@ -1,8 +1,9 @@
-//! What model values count in: physical units as fractions, states as words.
+//! What model values count in: physical units as fractions, states by the rows of the model.
 
 use crate::ratio::Ratio;
 use protocol_core::checksum::ChecksumKind;
 use protocol_core::model::{Unit, Value};
+use protocol_core::states::State;
 use protocol_core::vehicle::Node;
 
 /// Returns how many counts of `unit` one `dbc_unit` is, `None` if they do not measure the same thing.
@@ -37,30 +38,9 @@ pub(crate) fn counts_per(unit: Unit, dbc_unit: &str) -> Option<Ratio> {
     Some(Ratio::new(num, den))
 }
 
-/// Returns the words of a unit of states; empty for a unit of numbers.
-pub(crate) fn words(unit: Unit) -> &'static [(&'static str, i32)] {
-    match unit {
-        Unit::Flag => &[("no", 0), ("yes", 1)],
-        Unit::Severity => &[("none", 0), ("warn", 1), ("derate", 2), ("stop", 3)],
-        Unit::Gear => &[
-            ("D", 1),
-            ("R", 2),
-            ("N", 3),
-            ("P", 4),
-            ("D1", 11),
-            ("D2", 12),
-            ("D3", 13),
-            ("D4", 14),
-            ("D5", 15),
-            ("D6", 16),
-        ],
-        Unit::Contactor => &[("open", 0), ("closed", 1), ("welded", 2), ("fault", 3)],
-        Unit::Run => &[("stopped", 0), ("running", 1), ("fault", 2)],
-        Unit::Charge => &[("idle", 0), ("charging", 1), ("complete", 2), ("fault", 3)],
-        Unit::Key => &[("lock", 0), ("acc", 1), ("on", 2), ("start", 3)],
-        Unit::Fan => &[("low", 0), ("medium", 1), ("high", 2)],
-        _ => &[],
-    }
+/// Returns the states of a unit of states; none for a unit of numbers.
+pub(crate) fn states(unit: Unit) -> &'static [State] {
+    unit.kind().map_or(&[], |kind| kind.states)
 }
 
 /// Returns the name of the variant of `Value`.
