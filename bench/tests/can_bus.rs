@@ -2,7 +2,7 @@
 
 use bench::can::bits::FrameBits;
 use bench::can::{
-    Aborted, Bus, BusError, ErrorState, Event, EventKind, Frame, Id, LoadGenerator, NodeId, NodeMode,
+    Aborted, Bus, BusError, Confinement, Event, EventKind, Frame, Id, LoadGenerator, NodeId, NodeMode,
     Participant, Replay, Tag,
 };
 use bench::time::Nanos;
@@ -124,7 +124,7 @@ fn a_lonely_node_goes_error_passive_but_never_bus_off() {
     bus.request(alone, Nanos::ZERO, standard(1, &[1]), Tag(0));
     let events = run(&mut bus, Nanos::from_secs(1));
     assert_eq!(bus.counters(alone).transmit, 128, "16 missed acknowledges, then none counts");
-    assert_eq!(bus.state(alone), ErrorState::Passive);
+    assert_eq!(bus.state(alone), Confinement::ErrorPassive);
     assert!(events.len() > 1_000, "it keeps trying");
     assert!(sent_order(&events).is_empty());
 }
@@ -158,7 +158,7 @@ fn a_listener_does_not_acknowledge_but_hears_once_the_sender_is_passive() {
     let first = events.iter().find(|e| e.kind == EventKind::Received { frame }).expect("heard");
     let passive = events
         .iter()
-        .find(|e| e.kind == EventKind::StateChanged { state: ErrorState::Passive })
+        .find(|e| e.kind == EventKind::StateChanged { state: Confinement::ErrorPassive })
         .expect("sender goes passive");
     assert!(first.at > passive.at, "before that its active error flag destroys every frame");
     assert_eq!(bus.counters(listener).receive, 0, "a listener's counters rest");
@@ -171,18 +171,18 @@ fn thirty_two_bit_errors_take_a_node_off_the_bus_and_128_times_11_bits_bring_it_
     bus.force_bit_errors(bad, 40);
     bus.request(bad, Nanos::ZERO, standard(1, &[1]), Tag(0));
     let events = run(&mut bus, LONG);
-    let state_at = |wanted: ErrorState, skip: usize| {
+    let state_at = |wanted: Confinement, skip: usize| {
         let is = |e: &&Event| e.node == bad && e.kind == EventKind::StateChanged { state: wanted };
         events.iter().filter(is).nth(skip).map(|e| e.at)
     };
     let errors_before_off = events
         .iter()
         .filter(|e| e.node == bad && matches!(e.kind, EventKind::Error { .. }))
-        .filter(|e| Some(e.at) <= state_at(ErrorState::BusOff, 0))
+        .filter(|e| Some(e.at) <= state_at(Confinement::BusOff, 0))
         .count();
     assert_eq!(errors_before_off, 32);
-    let off = state_at(ErrorState::BusOff, 0).expect("bus-off");
-    let back = state_at(ErrorState::Active, 0).expect("recovery");
+    let off = state_at(Confinement::BusOff, 0).expect("bus-off");
+    let back = state_at(Confinement::ErrorActive, 0).expect("recovery");
     // The last error frame's flags are dominant; the count starts with its delimiter.
     let idle = (back - off).0 / BIT;
     assert!((128 * 11 + 6..=128 * 11 + 12).contains(&idle), "{idle} bits");
@@ -203,10 +203,10 @@ fn recovery_takes_128_gaps_on_a_full_bus() {
     while let (Some(event), None) = (bus.poll(LONG), back) {
         generator.on_event(&event, &mut bus);
         match event.kind {
-            EventKind::StateChanged { state: ErrorState::BusOff } if event.node == bad => {
+            EventKind::StateChanged { state: Confinement::BusOff } if event.node == bad => {
                 off = Some(generator.sent());
             }
-            EventKind::StateChanged { state: ErrorState::Active } if event.node == bad => {
+            EventKind::StateChanged { state: Confinement::ErrorActive } if event.node == bad => {
                 back = Some(generator.sent());
             }
             _ => {}
@@ -257,8 +257,8 @@ fn a_dominant_short_lets_nobody_through_and_takes_the_transmitter_off() {
     bus.request(b, Nanos(40 * BIT), standard(2, &[2]), Tag(1));
     let events = run(&mut bus, Nanos::from_millis(500));
     assert!(sent_order(&events).is_empty());
-    assert_eq!(bus.state(a), ErrorState::BusOff);
-    assert_eq!(bus.state(b), ErrorState::Passive);
+    assert_eq!(bus.state(a), Confinement::BusOff);
+    assert_eq!(bus.state(b), Confinement::ErrorPassive);
     bus.short(Nanos::from_millis(500), false);
     let events = run(&mut bus, Nanos::from_secs(1));
     // Nobody acknowledges b until a has recovered; then a's identifier wins.
@@ -274,7 +274,7 @@ fn a_node_with_the_wrong_bit_rate_disturbs_until_it_is_error_passive() {
     bus.request(good, Nanos::ZERO, standard(1, &[1]), Tag(0));
     let events = run(&mut bus, LONG);
     assert_eq!(sent_order(&events), [(good, Tag(0))]);
-    assert_eq!(bus.state(wrong), ErrorState::Passive);
+    assert_eq!(bus.state(wrong), Confinement::ErrorPassive);
     assert!(!events.iter().any(|e| e.node == wrong && matches!(e.kind, EventKind::Received { .. })));
     assert!(bus.counters(good).transmit > 96, "every destroyed frame costs the good node eight");
     bus.request(wrong, LONG, standard(2, &[]), Tag(0));
@@ -282,7 +282,7 @@ fn a_node_with_the_wrong_bit_rate_disturbs_until_it_is_error_passive() {
     assert!(
         events
             .iter()
-            .any(|e| e.node == wrong && e.kind == EventKind::StateChanged { state: ErrorState::BusOff })
+            .any(|e| e.node == wrong && e.kind == EventKind::StateChanged { state: Confinement::BusOff })
     );
 }
 

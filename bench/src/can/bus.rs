@@ -15,11 +15,10 @@
 use std::collections::VecDeque;
 
 use super::bits::{self, FrameBits};
-use super::event::{
-    Aborted, BusError, BusStats, ErrorCounters, ErrorState, Event, EventKind, NodeId, NodeMode, Tag,
-};
+use super::event::{Aborted, BusError, BusStats, ErrorCounters, Event, EventKind, NodeId, NodeMode, Tag};
 use super::frame::Frame;
 use crate::time::Nanos;
+use protocol_core::states::Confinement;
 
 /// Consecutive recessive bits after which a node may join, and of which 128 end bus-off.
 const BUS_IDLE: u32 = 11;
@@ -70,7 +69,7 @@ struct Node {
     presence: Presence,
     bitrate: u32,
     counters: ErrorCounters,
-    state: ErrorState,
+    state: Confinement,
     bus_off_at: Nanos,
     idles_to_recover: u32,
     suspended_until: Nanos,
@@ -81,12 +80,12 @@ struct Node {
 
 impl Node {
     fn takes_part(&self) -> bool {
-        self.presence == Presence::On && self.state != ErrorState::BusOff
+        self.presence == Presence::On && self.state != Confinement::BusOff
     }
 
     /// Its error flag destroys a frame for everybody.
     fn can_flag(&self) -> bool {
-        self.takes_part() && self.mode == NodeMode::Active && self.state == ErrorState::Active
+        self.takes_part() && self.mode == NodeMode::Active && self.state == Confinement::ErrorActive
     }
 }
 
@@ -197,7 +196,7 @@ impl Bus {
             presence: Presence::Off,
             bitrate: self.bitrate,
             counters: ErrorCounters::default(),
-            state: ErrorState::Active,
+            state: Confinement::ErrorActive,
             bus_off_at: Nanos::ZERO,
             idles_to_recover: 0,
             suspended_until: Nanos::ZERO,
@@ -219,7 +218,7 @@ impl Bus {
     }
 
     /// Fault confinement state of `node`.
-    pub fn state(&self, node: NodeId) -> ErrorState {
+    pub fn state(&self, node: NodeId) -> Confinement {
         self.nodes[node.0].state
     }
 
@@ -302,7 +301,7 @@ impl Bus {
     pub fn reset_errors(&mut self, node: NodeId) {
         let state = &mut self.nodes[node.0];
         state.counters = ErrorCounters::default();
-        state.state = ErrorState::Active;
+        state.state = Confinement::ErrorActive;
     }
 
     /// Fault: the next `frames` frames of `node` each meet a bit error.
@@ -442,7 +441,7 @@ impl Bus {
         if node.presence == Presence::Off {
             return None;
         }
-        if node.state == ErrorState::BusOff {
+        if node.state == Confinement::BusOff {
             let from = node.bus_off_at.max(segment.recessive_since);
             return Some((from + self.span(BUS_IDLE * node.idles_to_recover), Action::Recover(id)));
         }
@@ -458,7 +457,7 @@ impl Bus {
             }
             Action::Recover(node) => {
                 self.reset_errors(node);
-                self.emit(at, node, EventKind::StateChanged { state: ErrorState::Active });
+                self.emit(at, node, EventKind::StateChanged { state: Confinement::ErrorActive });
             }
             Action::LoseArbitration => {
                 let transfer = self.segments[index].transfer.as_mut();
@@ -531,7 +530,7 @@ impl Bus {
     fn count_idles(&mut self, index: usize, until: Nanos) {
         let idle = self.span(BUS_IDLE).0.max(1);
         let recessive_since = self.segments[index].recessive_since;
-        for node in self.nodes.iter_mut().filter(|n| n.segment == index && n.state == ErrorState::BusOff) {
+        for node in self.nodes.iter_mut().filter(|n| n.segment == index && n.state == Confinement::BusOff) {
             let idles = until.since(recessive_since.max(node.bus_off_at)).0 / idle;
             // One is left at least: the recovery itself is an action of its own.
             let left = u64::from(node.idles_to_recover).saturating_sub(idles).max(1);
@@ -606,7 +605,7 @@ impl Bus {
     fn miss_acknowledge(&mut self, index: usize, at: Nanos) {
         let Some(transfer) = &self.segments[index].transfer else { return };
         let passive =
-            transfer.transmitters.iter().all(|node| self.nodes[node.0].state == ErrorState::Passive);
+            transfer.transmitters.iter().all(|node| self.nodes[node.0].state == Confinement::ErrorPassive);
         if !passive {
             return self.fault(index, at, BusError::Ack);
         }
@@ -631,7 +630,7 @@ impl Bus {
     fn fault(&mut self, index: usize, at: Nanos, error: BusError) {
         let Some(transfer) = self.segments[index].transfer.take() else { return };
         let silent_listener_survives = error == BusError::Ack
-            && transfer.transmitters.iter().all(|node| self.nodes[node.0].state == ErrorState::Passive);
+            && transfer.transmitters.iter().all(|node| self.nodes[node.0].state == Confinement::ErrorPassive);
         let flagging = self.members(index).filter(|(_, node)| node.can_flag()).count();
         let flags = if flagging > 1 { ERROR_FLAG + ERROR_ECHO } else { ERROR_FLAG };
         let end = at + self.span(flags + ERROR_DELIMITER + bits::INTERMISSION);
@@ -639,7 +638,7 @@ impl Bus {
         self.stats.error_frames += 1;
 
         for &node in &transfer.transmitters {
-            let was_passive = self.nodes[node.0].state == ErrorState::Passive;
+            let was_passive = self.nodes[node.0].state == Confinement::ErrorPassive;
             let tag = self.nodes[node.0].pending.front().map(|request| request.tag);
             self.emit(at, node, EventKind::Error { error, transmitting: tag });
             // Rule c: +8, except for an error-passive transmitter that only misses its acknowledge.
@@ -724,7 +723,7 @@ impl Bus {
     fn suspend_if_passive(&mut self, node: NodeId, end: Nanos) {
         let suspended = end + self.span(SUSPEND_TRANSMISSION);
         let state = &mut self.nodes[node.0];
-        if state.state == ErrorState::Passive {
+        if state.state == Confinement::ErrorPassive {
             state.suspended_until = suspended;
         }
     }
@@ -788,18 +787,18 @@ impl Bus {
     fn update_state(&mut self, node: NodeId, at: Nanos) {
         let state = &mut self.nodes[node.0];
         let next = match state.counters {
-            _ if state.state == ErrorState::BusOff => ErrorState::BusOff,
-            ErrorCounters { transmit, .. } if transmit > BUS_OFF_ABOVE => ErrorState::BusOff,
+            _ if state.state == Confinement::BusOff => Confinement::BusOff,
+            ErrorCounters { transmit, .. } if transmit > BUS_OFF_ABOVE => Confinement::BusOff,
             ErrorCounters { transmit, receive } if transmit.max(receive) > PASSIVE_ABOVE => {
-                ErrorState::Passive
+                Confinement::ErrorPassive
             }
-            _ => ErrorState::Active,
+            _ => Confinement::ErrorActive,
         };
         if next == state.state {
             return;
         }
         state.state = next;
-        if next == ErrorState::BusOff {
+        if next == Confinement::BusOff {
             (state.bus_off_at, state.idles_to_recover) = (at, RECOVERY_IDLES);
         }
         self.emit(at, node, EventKind::StateChanged { state: next });
