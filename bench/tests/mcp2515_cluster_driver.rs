@@ -178,6 +178,37 @@ fn full_load_is_received_whole_at_two_bytes_more_than_the_frame() {
 }
 
 #[test]
+fn two_nodes_with_one_identifier_cost_no_frame() {
+    let (mut driver, shared) = normal();
+    let nodes = ["one", "same"].map(|name| shared.0.borrow_mut().bus.attach(name));
+    let mut received = 0;
+    for step in 0..40_000 {
+        {
+            let rig = &mut *shared.0.borrow_mut();
+            if step % 50 == 0 {
+                rig.bus.request(rig.peer, rig.now, numbered(step), Tag(0));
+            }
+            // The second asks for its burst while the first is sending: they meet at its second frame.
+            for (own, node) in nodes.into_iter().enumerate() {
+                if step % 100 == 3 * own as u64 && rig.bus.pending(node) == 0 {
+                    let frame = |n| extended(0x18FF_1234, &[own as u8, n]);
+                    (0..4).for_each(|n| rig.bus.request(node, rig.now, frame(n), Tag(0)));
+                }
+            }
+            rig.wait(Nanos::from_micros(100));
+        }
+        if !shared.0.borrow().chip.int_level() {
+            driver.service(|_: CanFrame| received += 1).unwrap();
+        }
+    }
+    let counters = shared.0.borrow().chip.counters();
+    assert_eq!((counters.frames_overrun, driver.health().overruns), ([0, 0], 0));
+    assert!(counters.bus_errors > 1_000, "they collide: {}", counters.bus_errors);
+    assert!(received >= 799, "the peer speaks every 5 ms: {received}");
+    shared.0.borrow().no_violations();
+}
+
+#[test]
 fn an_overrun_is_counted_and_int_goes_high_again() {
     let (mut driver, shared) = normal();
     for n in 0..5 {
