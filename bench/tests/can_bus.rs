@@ -191,6 +191,83 @@ fn thirty_two_bit_errors_take_a_node_off_the_bus_and_128_times_11_bits_bring_it_
 }
 
 #[test]
+fn a_frame_that_waited_through_bus_off_starts_after_the_recovery() {
+    let mut bus = bus();
+    let (bad, ear) = (bus.attach("bad"), bus.attach("ear"));
+    bus.force_bit_errors(bad, 32);
+    let frame = standard(1, &[1]);
+    bus.request(bad, Nanos::ZERO, frame, Tag(0));
+    let events = run(&mut bus, LONG);
+    let at = |node: NodeId, kind: EventKind| {
+        events.iter().find(|e| e.node == node && e.kind == kind).map(|e| e.at).expect("happens")
+    };
+    let back = at(bad, EventKind::StateChanged { state: ErrorState::Active });
+    let heard = at(ear, EventKind::Received { frame });
+    assert_eq!(heard - back, Nanos(u64::from(FrameBits::of(&frame).received()) * BIT));
+    assert!(events.is_sorted_by_key(|event| event.at));
+}
+
+#[test]
+fn two_nodes_with_one_identifier_never_put_two_frames_into_the_time_of_one() {
+    let mut bus = bus();
+    let [one, same, third, ear] = ["one", "same", "third", "ear"].map(|name| bus.attach(name));
+    let sends = |node: NodeId, raw: u32, every_ms: u64| {
+        LoadGenerator::new(node, move |n| extended(raw, &[every_ms as u8, n as u8]))
+            .spaced_by(Nanos::from_millis(every_ms))
+    };
+    let mut generators = [sends(one, 0x18FF_1234, 2), sends(same, 0x18FF_1234, 3), sends(third, 0x1000, 5)];
+    generators.iter_mut().for_each(|generator| generator.start(Nanos::ZERO, &mut bus));
+    let (mut bus_offs, mut heard, mut last) = (0, Vec::new(), Nanos::ZERO);
+    while let Some(event) = bus.poll(LONG) {
+        assert!(event.at >= last, "{event:?} after {last}");
+        last = event.at;
+        generators.iter_mut().for_each(|generator| generator.on_event(&event, &mut bus));
+        match event.kind {
+            EventKind::StateChanged { state: ErrorState::BusOff } => bus_offs += 1,
+            EventKind::Received { frame } if event.node == ear => heard.push((event.at, frame)),
+            _ => {}
+        }
+    }
+    assert!(bus_offs > 100, "the two take each other off the bus again and again: {bus_offs}");
+    assert!(heard.len() >= 2_000, "the third is heard every 5 ms: {}", heard.len());
+    for pair in heard.windows(2) {
+        let frame_time = Nanos(u64::from(FrameBits::of(&pair[1].1).total()) * BIT);
+        assert!(pair[1].0 - pair[0].0 >= frame_time, "{pair:?}");
+    }
+}
+
+#[test]
+fn what_becomes_possible_late_happens_late() {
+    let mut bus = bus();
+    let (a, b) = (bus.attach("a"), bus.attach_off("b"));
+    bus.attach("ear");
+    // Heard empty up to 10 ms: no frame may start in there any more.
+    assert!(run(&mut bus, Nanos::from_millis(10)).is_empty());
+    bus.request(a, Nanos::ZERO, standard(1, &[]), Tag(0));
+    bus.request(a, Nanos::from_millis(30), standard(2, &[]), Tag(1));
+    bus.request(a, Nanos::ZERO, standard(3, &[]), Tag(2));
+    bus.request(b, Nanos::ZERO, standard(4, &[]), Tag(3));
+    let events = run(&mut bus, Nanos::from_millis(20));
+    assert_eq!(sent_order(&events), [(a, Tag(0))]);
+    assert!(events[0].at > Nanos::from_millis(10));
+    bus.abort(a, Tag(1));
+    bus.set_mode(b, Nanos::from_millis(20), NodeMode::Active);
+    let events = run(&mut bus, LONG);
+    assert_eq!(sent_order(&events), [(a, Tag(2)), (b, Tag(3))]);
+    assert!(events.iter().all(|event| event.at > Nanos::from_millis(20)), "{events:?}");
+}
+
+#[test]
+#[should_panic(expected = "bus time goes back")]
+fn a_call_with_a_time_that_is_over_ends_the_run() {
+    let mut bus = bus();
+    let (a, b) = (bus.attach("a"), bus.attach("b"));
+    bus.request(a, Nanos::from_millis(1), standard(1, &[]), Tag(0));
+    assert!(!run(&mut bus, Nanos::from_millis(2)).is_empty());
+    bus.cut(b, Nanos::from_millis(1));
+}
+
+#[test]
 fn recovery_takes_128_gaps_on_a_full_bus() {
     let mut bus = bus();
     let (bad, load) = (bus.attach("bad"), bus.attach("load"));
@@ -344,6 +421,7 @@ fn a_late_node_joins_in_the_gap_of_a_full_bus() {
     generator.start(Nanos::ZERO, &mut bus);
     let mut joined = None;
     let mut first = None;
+    assert!(run(&mut bus, Nanos(10 * BIT)).is_empty(), "its first frame is under way");
     bus.set_mode(late, Nanos(10 * BIT), NodeMode::Active);
     while let (Some(event), None) = (bus.poll(LONG), first) {
         generator.on_event(&event, &mut bus);

@@ -11,7 +11,7 @@
 //! | `report`      | every 200 ms          | 1        | 5 ms       |                      | can, cluster, ...    |
 //! | `idle`        | nothing else          | 0        |            |                      |                      |
 //!
-//! \* 12 ms in the tick that starts a CAN controller; interrupts stay on meanwhile.
+//! \* 5 ms in the tick that starts a CAN controller; interrupts stay on meanwhile.
 //!
 //! Reception outranks everything and is never masked for longer than one lock of `can`: a frame of 47 bits at
 //! 250 kbit/s leaves 376 us. `draw` and `report` give way to each other at every `await`, to all else at once.

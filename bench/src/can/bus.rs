@@ -5,6 +5,9 @@
 //! the intermission, say) before time goes on. A wire that is cut leaves its node alone on a segment of its own, where
 //! it hears only itself and nobody acknowledges.
 //!
+//! Time never goes back, on any segment: what becomes possible late (a node recovers, joins or is told to send) starts
+//! then and not before, and a call with a time that is over ends the run with a panic.
+//!
 //! Modelled: arbitration by identifier, RTR and IDE bits; ACK from any other active node; error flags, delimiters and
 //! counters; error active, passive and bus-off; suspend transmission; recovery after 128 x 11 recessive bits; joining
 //! after 11 recessive bits. Not modelled: single bits on the wire (an error hits a frame at one chosen bit), overload
@@ -155,6 +158,8 @@ pub struct Bus {
     segments: Vec<Segment>,
     events: VecDeque<Event>,
     stats: BusStats,
+    /// How far the bus has come: nothing happens before this any more.
+    now: Nanos,
 }
 
 impl Bus {
@@ -166,6 +171,7 @@ impl Bus {
             segments: vec![Segment::default()],
             events: VecDeque::new(),
             stats: BusStats::default(),
+            now: Nanos::ZERO,
         }
     }
 
@@ -247,7 +253,8 @@ impl Bus {
         })
     }
 
-    /// Asks for `frame` to be sent, not before `ready_at` and after the node's earlier requests.
+    /// Asks for `frame` to be sent, not before `ready_at`, after the node's earlier requests and not in a time that is
+    /// over.
     ///
     /// It is tried again after lost arbitration and errors until it is sent or aborted.
     pub fn request(&mut self, node: NodeId, ready_at: Nanos, frame: Frame, tag: Tag) {
@@ -279,7 +286,11 @@ impl Bus {
     /// Changes how much `node` takes part; coming from off it first waits for 11 recessive bits.
     ///
     /// Going off in the middle of an own frame destroys that frame.
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn set_mode(&mut self, node: NodeId, now: Nanos, mode: NodeMode) {
+        self.come_to(now);
         if mode == NodeMode::Off {
             self.leave_transfer(node, now);
         }
@@ -315,7 +326,11 @@ impl Bus {
     }
 
     /// Fault: the wire of `node` is cut; it is deaf and mute for the others and alone with itself.
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn cut(&mut self, node: NodeId, now: Nanos) {
+        self.come_to(now);
         if self.nodes[node.0].segment != 0 {
             return;
         }
@@ -325,7 +340,11 @@ impl Bus {
     }
 
     /// Ends [`Bus::cut`]; the node takes part again after 11 recessive bits.
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn mend(&mut self, node: NodeId, now: Nanos) {
+        self.come_to(now);
         let state = &mut self.nodes[node.0];
         if state.segment == 0 {
             return;
@@ -338,7 +357,11 @@ impl Bus {
     }
 
     /// Fault: the bus is stuck dominant (`true`) or free again (`false`).
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn short(&mut self, now: Nanos, shorted: bool) {
+        self.come_to(now);
         let idle = self.span(BUS_IDLE);
         let first = self.span(STUCK_DOMINANT_FIRST);
         match (shorted, self.segments[0].shorted.is_some()) {
@@ -369,14 +392,21 @@ impl Bus {
         }
     }
 
-    /// The next event up to and including `now`; call until it gives `None`.
+    /// The next event up to and including `now`; call until it gives `None`. From then on the time up to `now` is over.
+    ///
+    /// # Panics
+    /// If an event lies before one that has been given: a fault of this model.
     pub fn poll(&mut self, now: Nanos) -> Option<Event> {
         loop {
             if let Some(event) = self.events.pop_front() {
                 return Some(event);
             }
             // Every action moves a frame on, raises a counter towards its end or lets a node in: this ends.
-            let (at, action, segment) = self.next_action().filter(|&(at, _, _)| at <= now)?;
+            let Some((at, action, segment)) = self.next_action().filter(|&(at, _, _)| at <= now) else {
+                self.now = self.now.max(now);
+                return None;
+            };
+            self.come_to(at);
             self.act(segment, at, action);
         }
     }
@@ -406,7 +436,14 @@ impl Bus {
         }
     }
 
+    /// Brings the bus to `at`: the check, in every run, that no frame is put onto a wire that has been heard empty.
+    fn come_to(&mut self, at: Nanos) {
+        assert!(at >= self.now, "bus time goes back: {at} after {}", self.now);
+        self.now = at;
+    }
+
     fn emit(&mut self, at: Nanos, node: NodeId, kind: EventKind) {
+        self.come_to(at);
         self.events.push_back(Event { at, node, kind });
     }
 
@@ -425,7 +462,9 @@ impl Bus {
             let loses = transfer.losers.front().map(|&(at, _)| (at, Action::LoseArbitration));
             return loses.into_iter().chain([(transfer.at, Action::Advance)]).min();
         }
-        self.members(index).filter_map(|(id, node)| self.node_action(segment, id, node)).min()
+        let next = self.members(index).filter_map(|(id, node)| self.node_action(segment, id, node)).min();
+        // A node that recovers, joins or is asked late finds the wire free for long: it starts now, not then.
+        next.map(|(at, action)| (at.max(self.now), action))
     }
 
     /// What `node` does next on an idle segment.
