@@ -201,7 +201,7 @@ fn a_frame_that_waited_through_bus_off_starts_after_the_recovery() {
     let at = |node: NodeId, kind: EventKind| {
         events.iter().find(|e| e.node == node && e.kind == kind).map(|e| e.at).expect("happens")
     };
-    let back = at(bad, EventKind::StateChanged { state: ErrorState::Active });
+    let back = at(bad, EventKind::StateChanged { state: Confinement::ErrorActive });
     let heard = at(ear, EventKind::Received { frame });
     assert_eq!(heard - back, Nanos(u64::from(FrameBits::of(&frame).received()) * BIT));
     assert!(events.is_sorted_by_key(|event| event.at));
@@ -223,7 +223,7 @@ fn two_nodes_with_one_identifier_never_put_two_frames_into_the_time_of_one() {
         last = event.at;
         generators.iter_mut().for_each(|generator| generator.on_event(&event, &mut bus));
         match event.kind {
-            EventKind::StateChanged { state: ErrorState::BusOff } => bus_offs += 1,
+            EventKind::StateChanged { state: Confinement::BusOff } => bus_offs += 1,
             EventKind::Received { frame } if event.node == ear => heard.push((event.at, frame)),
             _ => {}
         }

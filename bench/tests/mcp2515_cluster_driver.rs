@@ -5,7 +5,7 @@ mod mcp2515_rig;
 use std::convert::Infallible;
 
 use bench::can::bits::FrameBits;
-use bench::can::{ErrorState, EventKind, Frame, Id, LoadGenerator, Participant, Tag};
+use bench::can::{Confinement, EventKind, Frame, Id, LoadGenerator, Participant, Tag};
 use bench::chips::mcp2515 as chip;
 use bench::time::Nanos;
 use embedded_can::Frame as _;
@@ -286,7 +286,7 @@ fn a_node_whose_frames_all_fail_goes_off_the_bus_once_a_second_at_most() {
     }
     let rig = shared.0.borrow();
     let node = rig.chip.node();
-    let off = EventKind::StateChanged { state: ErrorState::BusOff };
+    let off = EventKind::StateChanged { state: Confinement::BusOff };
     let times: Vec<Nanos> =
         rig.events.iter().filter(|e| e.node == node && e.kind == off).map(|event| event.at).collect();
     assert_eq!(times.len(), 5, "in 5 s; the first at {:?}", times.first());
