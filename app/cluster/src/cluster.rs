@@ -7,7 +7,6 @@ use crate::chime::{Chime, Player, Sound};
 use crate::faults::Faults;
 use crate::history::Entry;
 use crate::inputs::{self, Button, Controller, Inputs, flag};
-use crate::lamps::Lamps;
 use crate::limp;
 use crate::odometer::Odometer;
 use crate::own::Conditions;
@@ -17,7 +16,7 @@ use crate::reception::{Counters, Facts, MAX_MESSAGES, Nodes, Received, Reception
 use crate::reverse::Reverse;
 use crate::settings::Settings;
 use crate::sources;
-use crate::telltale::{Telltale, Telltales};
+use crate::telltales::{Lighting, Telltale, Telltales};
 use crate::timers::{Options, Timers};
 use crate::transmit::{MAX_SENT, Transmit};
 use crate::trip::{self, Trip, Trips};
@@ -26,7 +25,7 @@ use protocol_core::model::{Gear, Reading, Readings, Severity, Shown, Value};
 use protocol_core::vehicle::{Node, Vehicle};
 use protocol_core::{CanFrame, Millis};
 
-/// All lamps are lit for this long after start, in milliseconds, so that a dead one is noticed.
+/// All telltales are lit for this long after start, in milliseconds, so that a dead one is noticed.
 const BULB_CHECK_MS: u64 = 3_000;
 /// Time that nodes have to send their first frames before one counts as missing, in milliseconds.
 const BOOT_MS: u64 = 5_000;
@@ -47,7 +46,7 @@ pub struct Cluster {
     reception: Reception,
     timers: Timers,
     faults: Faults,
-    lamps: Lamps,
+    lighting: Lighting,
     reverse: Reverse,
     player: Player,
     odometer: Odometer,
@@ -79,7 +78,7 @@ impl Cluster {
             reception: Reception::new(),
             timers: Timers::new(),
             faults: Faults::new(),
-            lamps: Lamps::new(),
+            lighting: Lighting::new(),
             reverse: Reverse::new(),
             player: Player::new(),
             odometer: Odometer::new(),
@@ -139,10 +138,10 @@ impl Cluster {
         self.decide(inputs, now);
         self.timers.observe(self.vehicle, &self.reception, now);
 
-        let Self { vehicle, reception, timers, faults, lamps, silent, .. } = self;
+        let Self { vehicle, reception, timers, faults, lighting, silent, .. } = self;
         let facts = Facts { vehicle, reception, timers, silent: *silent, started: listening, now };
         faults.tick(&facts);
-        lamps.tick(&facts);
+        lighting.tick(&facts);
         self.pages.follow(
             Situation {
                 is_alarming: matches!(self.faults.sound(), Some(Sound::Fire | Sound::Stop)),
@@ -349,7 +348,7 @@ impl Cluster {
         self.reception = Reception::new();
         self.timers = Timers { options: self.timers.options, ..Timers::new() };
         self.faults = Faults::new();
-        self.lamps = Lamps::new();
+        self.lighting = Lighting::new();
         self.reverse = Reverse::new();
         self.transmit = Transmit::new();
         self.silent = Nodes::NONE;
@@ -421,9 +420,9 @@ impl Cluster {
             limp: self.limp(),
             hv_off_s: self.timers.hv_off.countdown_s(now),
             page: self.page(now),
-            telltales: if is_bulb_check { Telltales::ALL } else { self.lamps.lit() },
-            is_power_limited: self.lamps.lit().is_lit(Telltale::PowerLimited),
-            is_charge_low: self.lamps.lit().is_lit(Telltale::LowCharge),
+            telltales: if is_bulb_check { Telltales::ALL } else { self.lighting.lit() },
+            is_power_limited: self.lighting.lit().is_lit(Telltale::PowerLimited),
+            is_charge_low: self.lighting.lit().is_lit(Telltale::LowCharge),
             severity: self.faults.worst().max(line.map_or(Severity::None, |line| line.severity)),
             line,
             heartbeat: (now.0 / HEARTBEAT_MS) % 2 == 1,

@@ -3,7 +3,7 @@
 //! Pure logic between frames and pixels: frames, inputs and the time go in, a [`View`], a [`Chime`] and frames to send
 //! come out. No hardware, no clock, no allocation, no identifiers: vehicles are tables in `protocol-core`.
 //!
-//! Where a rule lives: `sources` (what puts a line on the screen), `lamps` (telltales), `chime` (sounds), `inputs` (own
+//! Where a rule lives: `sources` (what puts a line on the screen), `telltales`, `chime` (sounds), `inputs` (own
 //! wires), `texts` (all words), each a table; `hv_off`, `limp`, `charger`, `hvac`, `buzzer`, `reverse` (timing), each a
 //! small machine; `own` (what the instrument says of itself); `page` (which page, what turns it).
 
@@ -21,7 +21,6 @@ pub mod history;
 mod hv_off;
 mod hvac;
 pub mod inputs;
-mod lamps;
 mod limp;
 mod odometer;
 pub mod own;
@@ -31,7 +30,7 @@ mod reception;
 mod reverse;
 mod settings;
 mod sources;
-pub mod telltale;
+pub mod telltales;
 pub mod texts;
 mod timers;
 mod transmit;
@@ -45,7 +44,7 @@ pub use inputs::{Button, Buttons, Controller, Doors, Inputs, Key, Lights};
 pub use own::Conditions;
 pub use page::Page;
 pub use reception::{Counters, MAX_MESSAGES, Received};
-pub use telltale::{Lamp, Telltale, Telltales};
+pub use telltales::{Place, Telltale, TelltaleColour, Telltales};
 pub use timers::Options;
 pub use transmit::MAX_SENT;
 pub use trip::Trip;

@@ -4,7 +4,7 @@
 
 use crate::history::Source;
 use crate::page::{CELLS, Page, Part, ROWS};
-use crate::telltale::Telltales;
+use crate::telltales::Telltales;
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Severity, Shown};
 

@@ -53,7 +53,7 @@ impl Wires {
             doors: Doors { front: front_door, rear: rear_door, ..Doors::default() },
             lights: Lights { turn_left, turn_right, ..Lights::default() },
             seat_empty,
-            parking_brake: parking_brake,
+            parking_brake,
             smoke,
             supply_decivolts,
             air_front_centimpa,
