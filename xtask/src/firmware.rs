@@ -196,7 +196,7 @@ fn sections(elf: &Path) -> Result<Vec<Section>> {
     let bytes = std::fs::read(elf)?;
     let file = object::File::parse(&*bytes)?;
     let is_loaded = |flags| match flags {
-        SectionFlags::Elf { sh_flags } => sh_flags & u64::from(object::elf::SHF_ALLOC) != 0,
+        SectionFlags::Elf { sh_flags, .. } => sh_flags.contains(object::elf::SHF_ALLOC),
         _ => false,
     };
     let loaded = file.sections().filter(|section| is_loaded(section.flags()) && section.size() > 0);
