@@ -32,6 +32,7 @@ mod replay;
 mod rooms;
 mod rules;
 mod run;
+
 mod scenario;
 mod screens;
 mod steps;
@@ -40,6 +41,7 @@ mod toolchain;
 mod uf2;
 mod vehicle;
 mod vehicles;
+mod words;
 mod workspace;
 
 use anyhow::Result;
