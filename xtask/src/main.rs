@@ -32,11 +32,12 @@ mod replay;
 mod rooms;
 mod rules;
 mod run;
-
 mod scenario;
 mod screens;
 mod steps;
+mod tasks;
 mod test;
+mod tokens;
 mod toolchain;
 mod uf2;
 mod vehicle;
@@ -99,6 +100,8 @@ enum Command {
     Listen(listen::Options),
     /// Checks that the crates' dependency arrows point down only.
     Layers,
+    /// Writes the table of the firmware's tasks from their attributes and from what the bench measures of each.
+    Tasks(tasks::Options),
     /// Measures the firmware on the bench and prints the figures that the README quotes.
     Figures(figures::Options),
     /// Shows what this machine has, what is missing and what to type.
@@ -149,6 +152,7 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Size(options) => firmware::size(&options),
         Command::Listen(options) => listen::run(&options),
         Command::Layers => layers::run(),
+        Command::Tasks(options) => tasks::run(&options),
         Command::Figures(options) => figures::run(&options),
         Command::Doctor => doctor::run(),
         Command::Ci => ci::run(),
