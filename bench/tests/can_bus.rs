@@ -2,7 +2,7 @@
 
 use bench::can::bits::FrameBits;
 use bench::can::{
-    Aborted, Bus, BusError, ErrorState, Event, EventKind, Frame, Id, LoadGenerator, NodeId, NodeMode,
+    Aborted, Bus, BusError, Confinement, Event, EventKind, Frame, Id, LoadGenerator, NodeId, NodeMode,
     Participant, Replay, Tag,
 };
 use bench::time::Nanos;
@@ -124,7 +124,7 @@ fn a_lonely_node_goes_error_passive_but_never_bus_off() {
     bus.request(alone, Nanos::ZERO, standard(1, &[1]), Tag(0));
     let events = run(&mut bus, Nanos::from_secs(1));
     assert_eq!(bus.counters(alone).transmit, 128, "16 missed acknowledges, then none counts");
-    assert_eq!(bus.state(alone), ErrorState::Passive);
+    assert_eq!(bus.state(alone), Confinement::ErrorPassive);
     assert!(events.len() > 1_000, "it keeps trying");
     assert!(sent_order(&events).is_empty());
 }
@@ -158,7 +158,7 @@ fn a_listener_does_not_acknowledge_but_hears_once_the_sender_is_passive() {
     let first = events.iter().find(|e| e.kind == EventKind::Received { frame }).expect("heard");
     let passive = events
         .iter()
-        .find(|e| e.kind == EventKind::StateChanged { state: ErrorState::Passive })
+        .find(|e| e.kind == EventKind::StateChanged { state: Confinement::ErrorPassive })
         .expect("sender goes passive");
     assert!(first.at > passive.at, "before that its active error flag destroys every frame");
     assert_eq!(bus.counters(listener).receive, 0, "a listener's counters rest");
@@ -171,23 +171,100 @@ fn thirty_two_bit_errors_take_a_node_off_the_bus_and_128_times_11_bits_bring_it_
     bus.force_bit_errors(bad, 40);
     bus.request(bad, Nanos::ZERO, standard(1, &[1]), Tag(0));
     let events = run(&mut bus, LONG);
-    let state_at = |wanted: ErrorState, skip: usize| {
+    let state_at = |wanted: Confinement, skip: usize| {
         let is = |e: &&Event| e.node == bad && e.kind == EventKind::StateChanged { state: wanted };
         events.iter().filter(is).nth(skip).map(|e| e.at)
     };
     let errors_before_off = events
         .iter()
         .filter(|e| e.node == bad && matches!(e.kind, EventKind::Error { .. }))
-        .filter(|e| Some(e.at) <= state_at(ErrorState::BusOff, 0))
+        .filter(|e| Some(e.at) <= state_at(Confinement::BusOff, 0))
         .count();
     assert_eq!(errors_before_off, 32);
-    let off = state_at(ErrorState::BusOff, 0).expect("bus-off");
-    let back = state_at(ErrorState::Active, 0).expect("recovery");
+    let off = state_at(Confinement::BusOff, 0).expect("bus-off");
+    let back = state_at(Confinement::ErrorActive, 0).expect("recovery");
     // The last error frame's flags are dominant; the count starts with its delimiter.
     let idle = (back - off).0 / BIT;
     assert!((128 * 11 + 6..=128 * 11 + 12).contains(&idle), "{idle} bits");
     assert_eq!(sent_order(&events), [(bad, Tag(0))], "the request survives, eight more bit errors later");
     assert!(bus.counters(other).receive > 0, "32 error flags were seen");
+}
+
+#[test]
+fn a_frame_that_waited_through_bus_off_starts_after_the_recovery() {
+    let mut bus = bus();
+    let (bad, ear) = (bus.attach("bad"), bus.attach("ear"));
+    bus.force_bit_errors(bad, 32);
+    let frame = standard(1, &[1]);
+    bus.request(bad, Nanos::ZERO, frame, Tag(0));
+    let events = run(&mut bus, LONG);
+    let at = |node: NodeId, kind: EventKind| {
+        events.iter().find(|e| e.node == node && e.kind == kind).map(|e| e.at).expect("happens")
+    };
+    let back = at(bad, EventKind::StateChanged { state: Confinement::ErrorActive });
+    let heard = at(ear, EventKind::Received { frame });
+    assert_eq!(heard - back, Nanos(u64::from(FrameBits::of(&frame).received()) * BIT));
+    assert!(events.is_sorted_by_key(|event| event.at));
+}
+
+#[test]
+fn two_nodes_with_one_identifier_never_put_two_frames_into_the_time_of_one() {
+    let mut bus = bus();
+    let [one, same, third, ear] = ["one", "same", "third", "ear"].map(|name| bus.attach(name));
+    let sends = |node: NodeId, raw: u32, every_ms: u64| {
+        LoadGenerator::new(node, move |n| extended(raw, &[every_ms as u8, n as u8]))
+            .spaced_by(Nanos::from_millis(every_ms))
+    };
+    let mut generators = [sends(one, 0x18FF_1234, 2), sends(same, 0x18FF_1234, 3), sends(third, 0x1000, 5)];
+    generators.iter_mut().for_each(|generator| generator.start(Nanos::ZERO, &mut bus));
+    let (mut bus_offs, mut heard, mut last) = (0, Vec::new(), Nanos::ZERO);
+    while let Some(event) = bus.poll(LONG) {
+        assert!(event.at >= last, "{event:?} after {last}");
+        last = event.at;
+        generators.iter_mut().for_each(|generator| generator.on_event(&event, &mut bus));
+        match event.kind {
+            EventKind::StateChanged { state: Confinement::BusOff } => bus_offs += 1,
+            EventKind::Received { frame } if event.node == ear => heard.push((event.at, frame)),
+            _ => {}
+        }
+    }
+    assert!(bus_offs > 100, "the two take each other off the bus again and again: {bus_offs}");
+    assert!(heard.len() >= 2_000, "the third is heard every 5 ms: {}", heard.len());
+    for pair in heard.windows(2) {
+        let frame_time = Nanos(u64::from(FrameBits::of(&pair[1].1).total()) * BIT);
+        assert!(pair[1].0 - pair[0].0 >= frame_time, "{pair:?}");
+    }
+}
+
+#[test]
+fn what_becomes_possible_late_happens_late() {
+    let mut bus = bus();
+    let (a, b) = (bus.attach("a"), bus.attach_off("b"));
+    bus.attach("ear");
+    // Heard empty up to 10 ms: no frame may start in there any more.
+    assert!(run(&mut bus, Nanos::from_millis(10)).is_empty());
+    bus.request(a, Nanos::ZERO, standard(1, &[]), Tag(0));
+    bus.request(a, Nanos::from_millis(30), standard(2, &[]), Tag(1));
+    bus.request(a, Nanos::ZERO, standard(3, &[]), Tag(2));
+    bus.request(b, Nanos::ZERO, standard(4, &[]), Tag(3));
+    let events = run(&mut bus, Nanos::from_millis(20));
+    assert_eq!(sent_order(&events), [(a, Tag(0))]);
+    assert!(events[0].at > Nanos::from_millis(10));
+    bus.abort(a, Tag(1));
+    bus.set_mode(b, Nanos::from_millis(20), NodeMode::Active);
+    let events = run(&mut bus, LONG);
+    assert_eq!(sent_order(&events), [(a, Tag(2)), (b, Tag(3))]);
+    assert!(events.iter().all(|event| event.at > Nanos::from_millis(20)), "{events:?}");
+}
+
+#[test]
+#[should_panic(expected = "bus time goes back")]
+fn a_call_with_a_time_that_is_over_ends_the_run() {
+    let mut bus = bus();
+    let (a, b) = (bus.attach("a"), bus.attach("b"));
+    bus.request(a, Nanos::from_millis(1), standard(1, &[]), Tag(0));
+    assert!(!run(&mut bus, Nanos::from_millis(2)).is_empty());
+    bus.cut(b, Nanos::from_millis(1));
 }
 
 #[test]
@@ -203,10 +280,10 @@ fn recovery_takes_128_gaps_on_a_full_bus() {
     while let (Some(event), None) = (bus.poll(LONG), back) {
         generator.on_event(&event, &mut bus);
         match event.kind {
-            EventKind::StateChanged { state: ErrorState::BusOff } if event.node == bad => {
+            EventKind::StateChanged { state: Confinement::BusOff } if event.node == bad => {
                 off = Some(generator.sent());
             }
-            EventKind::StateChanged { state: ErrorState::Active } if event.node == bad => {
+            EventKind::StateChanged { state: Confinement::ErrorActive } if event.node == bad => {
                 back = Some(generator.sent());
             }
             _ => {}
@@ -257,8 +334,8 @@ fn a_dominant_short_lets_nobody_through_and_takes_the_transmitter_off() {
     bus.request(b, Nanos(40 * BIT), standard(2, &[2]), Tag(1));
     let events = run(&mut bus, Nanos::from_millis(500));
     assert!(sent_order(&events).is_empty());
-    assert_eq!(bus.state(a), ErrorState::BusOff);
-    assert_eq!(bus.state(b), ErrorState::Passive);
+    assert_eq!(bus.state(a), Confinement::BusOff);
+    assert_eq!(bus.state(b), Confinement::ErrorPassive);
     bus.short(Nanos::from_millis(500), false);
     let events = run(&mut bus, Nanos::from_secs(1));
     // Nobody acknowledges b until a has recovered; then a's identifier wins.
@@ -274,7 +351,7 @@ fn a_node_with_the_wrong_bit_rate_disturbs_until_it_is_error_passive() {
     bus.request(good, Nanos::ZERO, standard(1, &[1]), Tag(0));
     let events = run(&mut bus, LONG);
     assert_eq!(sent_order(&events), [(good, Tag(0))]);
-    assert_eq!(bus.state(wrong), ErrorState::Passive);
+    assert_eq!(bus.state(wrong), Confinement::ErrorPassive);
     assert!(!events.iter().any(|e| e.node == wrong && matches!(e.kind, EventKind::Received { .. })));
     assert!(bus.counters(good).transmit > 96, "every destroyed frame costs the good node eight");
     bus.request(wrong, LONG, standard(2, &[]), Tag(0));
@@ -282,7 +359,7 @@ fn a_node_with_the_wrong_bit_rate_disturbs_until_it_is_error_passive() {
     assert!(
         events
             .iter()
-            .any(|e| e.node == wrong && e.kind == EventKind::StateChanged { state: ErrorState::BusOff })
+            .any(|e| e.node == wrong && e.kind == EventKind::StateChanged { state: Confinement::BusOff })
     );
 }
 
@@ -344,6 +421,7 @@ fn a_late_node_joins_in_the_gap_of_a_full_bus() {
     generator.start(Nanos::ZERO, &mut bus);
     let mut joined = None;
     let mut first = None;
+    assert!(run(&mut bus, Nanos(10 * BIT)).is_empty(), "its first frame is under way");
     bus.set_mode(late, Nanos(10 * BIT), NodeMode::Active);
     while let (Some(event), None) = (bus.poll(LONG), first) {
         generator.on_event(&event, &mut bus);

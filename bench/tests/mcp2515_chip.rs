@@ -2,7 +2,7 @@
 
 mod mcp2515_rig;
 
-use bench::can::{ErrorState, Frame, Id, LoadGenerator, NodeMode, Participant, Tag};
+use bench::can::{Confinement, Frame, Id, LoadGenerator, NodeMode, Participant, Tag};
 use bench::chips::mcp2515::{BitTiming, Config, Mode, TimingFault, Violation};
 use bench::time::Nanos;
 use mcp2515_rig::*;
@@ -612,7 +612,7 @@ fn receive_errors_show_in_rec_and_in_the_receive_flags() {
     rig.bus.garble_receptions(rig.chip.node(), 5);
     rig.bus.request(rig.peer, rig.now, standard(1, &[]), Tag(0));
     rig.wait(Nanos::from_millis(2));
-    assert_eq!(rig.bus.state(rig.chip.node()), ErrorState::Passive);
+    assert_eq!(rig.bus.state(rig.chip.node()), Confinement::ErrorPassive);
     assert_eq!(rig.read(EFLG) & 0x08, 0x08, "RXEP");
 }
 

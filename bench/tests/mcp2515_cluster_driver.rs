@@ -5,7 +5,7 @@ mod mcp2515_rig;
 use std::convert::Infallible;
 
 use bench::can::bits::FrameBits;
-use bench::can::{Frame, Id, LoadGenerator, Participant, Tag};
+use bench::can::{Confinement, EventKind, Frame, Id, LoadGenerator, Participant, Tag};
 use bench::chips::mcp2515 as chip;
 use bench::time::Nanos;
 use embedded_can::Frame as _;
@@ -86,7 +86,7 @@ fn a_bus_that_is_stuck_keeps_it_from_starting() {
     let settings = config(Oscillator::Mhz16, Mode::Normal);
     let mut delay = shared.clone();
     let refused = Mcp2515::new(shared.clone(), Int(shared), settings, &mut delay).err();
-    assert!(matches!(refused.map(|r| r.error), Some(StartError::Mode { expected: 0, .. })));
+    assert!(matches!(refused.map(|r| r.error), Some(StartError::Mode { expected: [0, _], .. })));
 }
 
 #[test]
@@ -178,6 +178,37 @@ fn full_load_is_received_whole_at_two_bytes_more_than_the_frame() {
 }
 
 #[test]
+fn two_nodes_with_one_identifier_cost_no_frame() {
+    let (mut driver, shared) = normal();
+    let nodes = ["one", "same"].map(|name| shared.0.borrow_mut().bus.attach(name));
+    let mut received = 0;
+    for step in 0..40_000 {
+        {
+            let rig = &mut *shared.0.borrow_mut();
+            if step % 50 == 0 {
+                rig.bus.request(rig.peer, rig.now, numbered(step), Tag(0));
+            }
+            // The second asks for its burst while the first is sending: they meet at its second frame.
+            for (own, node) in nodes.into_iter().enumerate() {
+                if step % 100 == 3 * own as u64 && rig.bus.pending(node) == 0 {
+                    let frame = |n| extended(0x18FF_1234, &[own as u8, n]);
+                    (0..4).for_each(|n| rig.bus.request(node, rig.now, frame(n), Tag(0)));
+                }
+            }
+            rig.wait(Nanos::from_micros(100));
+        }
+        if !shared.0.borrow().chip.int_level() {
+            driver.service(|_: CanFrame| received += 1).unwrap();
+        }
+    }
+    let counters = shared.0.borrow().chip.counters();
+    assert_eq!((counters.frames_overrun, driver.health().overruns), ([0, 0], 0));
+    assert!(counters.bus_errors > 1_000, "they collide: {}", counters.bus_errors);
+    assert!(received >= 799, "the peer speaks every 5 ms: {received}");
+    shared.0.borrow().no_violations();
+}
+
+#[test]
 fn an_overrun_is_counted_and_int_goes_high_again() {
     let (mut driver, shared) = normal();
     for n in 0..5 {
@@ -194,6 +225,10 @@ fn an_overrun_is_counted_and_int_goes_high_again() {
     assert_eq!(sequence, [0, 1, 5], "reception goes on");
 }
 
+fn own_frame() -> CanFrame {
+    CanFrame::new(embedded_can::StandardId::ZERO, &[1]).unwrap()
+}
+
 #[test]
 fn bus_off_is_seen_and_ends_by_itself_on_a_free_bus() {
     let (mut driver, shared) = normal();
@@ -202,7 +237,7 @@ fn bus_off_is_seen_and_ends_by_itself_on_a_free_bus() {
         let node = rig.chip.node();
         rig.bus.force_bit_errors(node, 32);
     }
-    driver.transmit(&CanFrame::new(embedded_can::StandardId::ZERO, &[1]).unwrap(), 0).unwrap();
+    driver.transmit(&own_frame(), 0).unwrap();
     let mut states = Vec::new();
     for _ in 0..40 {
         shared.0.borrow_mut().wait(Nanos::from_micros(500));
@@ -214,7 +249,48 @@ fn bus_off_is_seen_and_ends_by_itself_on_a_free_bus() {
     }
     assert!(states.contains(&BusState::BusOff), "{states:?}");
     assert_eq!(states.last(), Some(&BusState::Active));
-    assert_eq!(driver.health().bus_offs, 1);
-    assert_eq!(shared.0.borrow().heard.len(), 1, "the frame went out in the end");
+    let health = driver.health();
+    assert_eq!((health.bus_offs, health.aborted, health.sent), (1, 1, 0));
+    assert!(shared.0.borrow().heard.is_empty(), "the frame is given up");
+    shared.0.borrow_mut().receive(numbered(7));
+    let mut sequence = Vec::new();
+    serve(&mut driver, &mut sequence);
+    assert_eq!(sequence, [7], "the node hears on");
+    driver.transmit(&own_frame(), 1_001).unwrap();
+    shared.0.borrow_mut().wait(Nanos::from_millis(1));
+    assert_eq!(shared.0.borrow().heard.len(), 1, "and sends again after a second");
     shared.0.borrow().no_violations();
+}
+
+#[test]
+fn a_node_whose_frames_all_fail_goes_off_the_bus_once_a_second_at_most() {
+    let (mut driver, shared) = normal();
+    {
+        let rig = &mut *shared.0.borrow_mut();
+        let node = rig.chip.node();
+        rig.bus.force_bit_errors(node, u32::MAX);
+    }
+    // A frame every 10 ms, INT served at once, a look every 100 ms.
+    for step in 0..50_000_u64 {
+        shared.0.borrow_mut().wait(Nanos::from_micros(100));
+        let now_ms = step / 10;
+        if step % 100 == 0 {
+            let _ = driver.transmit(&own_frame(), now_ms);
+        }
+        if step % 1_000 == 0 {
+            driver.supervise(now_ms).unwrap();
+        }
+        if !shared.0.borrow().chip.int_level() {
+            driver.service(|_: CanFrame| {}).unwrap();
+        }
+    }
+    let rig = shared.0.borrow();
+    let node = rig.chip.node();
+    let off = EventKind::StateChanged { state: Confinement::BusOff };
+    let times: Vec<Nanos> =
+        rig.events.iter().filter(|e| e.node == node && e.kind == off).map(|event| event.at).collect();
+    assert_eq!(times.len(), 5, "in 5 s; the first at {:?}", times.first());
+    assert!(times.windows(2).all(|pair| pair[1] - pair[0] >= Nanos::from_secs(1)), "{times:?}");
+    assert_eq!(driver.health().bus_offs, 5);
+    rig.no_violations();
 }

@@ -14,6 +14,7 @@ pub mod frame;
 pub mod generated;
 pub mod link;
 pub mod model;
+pub mod states;
 pub mod stream;
 pub mod time;
 pub mod unit;

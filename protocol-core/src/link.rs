@@ -13,6 +13,7 @@
 //! Source: postcard 1.0 wire format; Cheshire and Baker, "Consistent Overhead Byte Stuffing", 1999.
 
 use crate::model::Shown;
+use crate::states::Confinement;
 use core::fmt;
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::ser::SerializeSeq;
@@ -118,7 +119,7 @@ pub struct Fault {
     pub source: u8,
     /// Code; of a remembered alarm bit its number, from 1.
     pub code: Option<u16>,
-    /// 0 = information, 1 = warn, 2 = derate, 3 = stop.
+    /// How bad, in the model's numbers (`Unit::Severity`); 0 = information.
     pub severity: u8,
     /// Number of the text, see [`text_id`].
     pub text: u16,
@@ -145,8 +146,9 @@ pub struct Health {
     pub overruns: u32,
     /// Frames lost because the queue between interrupt and tick was full.
     pub ring_overflows: u32,
-    /// Error state of the CAN controller.
-    pub can_state: CanState,
+    /// Fault confinement of the CAN controller; `None` = not started, or not answering.
+    #[serde(with = "confinement")]
+    pub can_state: Option<Confinement>,
     /// Transmit error counter.
     pub tec: u8,
     /// Receive error counter.
@@ -167,20 +169,29 @@ pub struct Health {
     pub last_reset: ResetReason,
 }
 
-/// Error state of a CAN controller (ISO 11898-1, fault confinement).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum CanState {
-    /// Not started, or not answering.
-    #[default]
-    Offline,
-    /// Both error counters below 96.
-    ErrorActive,
-    /// An error counter has reached 96.
-    Warning,
-    /// An error counter has reached 128.
-    ErrorPassive,
-    /// The transmit error counter has passed 255: the controller is off the bus.
-    BusOff,
+/// Writes fault confinement as its number, 0 = the controller does not answer; as its word where a person reads it.
+mod confinement {
+    use crate::states::Confinement;
+    use serde::de::{Error, Unexpected};
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(state: &Option<Confinement>, to: S) -> Result<S::Ok, S::Error> {
+        if to.is_human_readable() {
+            return to.serialize_str(state.map_or(Confinement::OFFLINE, Confinement::word));
+        }
+        to.serialize_u8(state.map_or(0, |state| state as u8))
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Confinement>, D::Error> {
+        let number = u8::deserialize(from)?;
+        match Confinement::from_number(number.into()) {
+            None if number != 0 => Err(D::Error::invalid_value(
+                Unexpected::Unsigned(number.into()),
+                &"a state of fault confinement",
+            )),
+            state => Ok(state),
+        }
+    }
 }
 
 /// Why the firmware started.
@@ -266,7 +277,7 @@ pub struct Screen {
     pub limps: bool,
     /// Largest current in limp mode in 0.1 A, if it is known.
     pub limp_deciamps: Option<i32>,
-    /// What an inserted plug does: 0 nothing, 1 charging, 2 complete, 3 fault.
+    /// What an inserted plug does, in the numbers of [`Plug`](crate::states::Plug).
     pub plug: Option<u8>,
     /// Lit lamps, bit n = n-th lamp of the cluster's list.
     pub telltales: u32,
@@ -281,7 +292,7 @@ pub struct ScreenLine {
     pub text: u16,
     /// Fault code shown beside it.
     pub code: Option<u16>,
-    /// 0 = information, 1 = warn, 2 = derate, 3 = stop.
+    /// How bad, in the model's numbers (`Unit::Severity`); 0 = information.
     pub severity: u8,
     /// This line's number among those that take turns, from 1.
     pub position: u8,

@@ -1,8 +1,10 @@
 //! The vehicle-neutral model: one tree of names for every value that a cluster can know.
 //!
 //! Owns the list of values with their paths and units, and the store ([`Readings`]) into which generated decoders
-//! write. The same paths stand in `vehicle.toml`, scenario files, logs and the book. Refuses to know messages,
-//! identifiers or time-outs; freshness is the cluster's business.
+//! write. The same paths stand in `vehicle.toml`, scenario files, logs and the book; the states that a value can be in
+//! are in [`crate::states`]. Refuses to know messages, identifiers or time-outs; freshness is the cluster's business.
+
+pub use crate::states::{Gear, Missing, Severity};
 
 /// One decoded signal value, in the model's unit of its [`Value`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +38,16 @@ impl<T> Shown<T> {
         }
     }
 
+    /// Returns how the value is missing; `None` = it is fresh and valid.
+    pub fn missing(&self) -> Option<Missing> {
+        match self {
+            Self::Never => Some(Missing::Never),
+            Self::Stale => Some(Missing::Stale),
+            Self::Invalid => Some(Missing::Invalid),
+            Self::Value(_) => None,
+        }
+    }
+
     /// Applies `f` to a fresh value and keeps every kind of missing.
     pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Shown<U> {
         match self {
@@ -47,78 +59,22 @@ impl<T> Shown<T> {
     }
 }
 
-/// How bad a fault is: one scale for every source (the raw level fields run in opposite directions).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[repr(u8)]
-pub enum Severity {
-    /// No fault.
-    #[default]
-    None = 0,
-    /// Tell the driver.
-    Warn = 1,
-    /// The vehicle limits its power.
-    Derate = 2,
-    /// Stop at once.
-    Stop = 3,
-}
-
-impl Severity {
-    /// Returns the severity of a model value of unit [`Unit::Severity`].
-    pub const fn from_model(value: i32) -> Self {
-        match value {
-            1 => Self::Warn,
-            2 => Self::Derate,
-            3 => Self::Stop,
-            _ => Self::None,
-        }
-    }
-}
-
-/// A gear as the driver reads it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Gear {
-    /// Drive.
-    D,
-    /// Reverse.
-    R,
-    /// Neutral.
-    N,
-    /// Park.
-    P,
-    /// A forward gear of a gearbox, 1 to 6.
-    Forward(u8),
-}
-
-impl Gear {
-    /// Returns the gear of a model value of unit [`Unit::Gear`]; `None` for 0 and anything undefined.
-    pub const fn from_model(value: i32) -> Option<Self> {
-        match value {
-            1 => Some(Self::D),
-            2 => Some(Self::R),
-            3 => Some(Self::N),
-            4 => Some(Self::P),
-            11..=16 => Some(Self::Forward((value - 10) as u8)),
-            _ => None,
-        }
-    }
-}
-
 /// The unit of one count of a model value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// 0 = no, 1 = yes.
+    /// State: [`states::Flag`](crate::states::Flag).
     Flag,
     /// A plain number or code.
     Count,
-    /// 1 = WARN, 2 = DERATE, 3 = STOP; see [`Severity::from_model`].
+    /// State: [`Severity`].
     Severity,
-    /// 1 D, 2 R, 3 N, 4 P, 11..16 forward gears 1..6; see [`Gear::from_model`].
+    /// State: [`Gear`].
     Gear,
-    /// 0 = open, 1 = closed, 2 = welded, 3 = fault; other states are invalid.
+    /// State: [`states::Contactor`](crate::states::Contactor).
     Contactor,
-    /// 0 = stopped, 1 = running, 2 = fault.
+    /// State: [`states::Run`](crate::states::Run).
     Run,
-    /// 0 = not charging, 1 = charging, 2 = complete, 3 = fault.
+    /// State: [`states::Charge`](crate::states::Charge).
     Charge,
     /// 1/256 km/h.
     Kmh256,
@@ -152,10 +108,14 @@ pub enum Unit {
     Hertz,
     /// Whole days.
     Day,
-    /// 0 = LOCK, 1 = ACC, 2 = ON, 3 = START.
+    /// State: [`states::Key`](crate::states::Key).
     Key,
-    /// 0 = low, 1 = medium, 2 = high.
+    /// State: [`states::Fan`](crate::states::Fan).
     Fan,
+    /// State: [`states::Mode`](crate::states::Mode).
+    Mode,
+    /// State: [`states::Check`](crate::states::Check).
+    Check,
     /// Bit n set = fault code n + 1 of the node is active; see [`crate::vehicle::FaultText`].
     Bits,
 }
@@ -196,8 +156,8 @@ model! {
     VehicleSpeed "vehicle.speed" Kmh256;
     /// Gear that the vehicle controller has engaged.
     VehicleGear "vehicle.gear" Gear;
-    /// 0 none, 1 park, 2 drive, 3 climb, 4 snow, 5 limp.
-    VehicleMode "vehicle.mode" Count;
+    /// How the vehicle controller drives.
+    VehicleMode "vehicle.mode" Mode;
     /// Torque may be sent: the READY lamp.
     VehicleReady "vehicle.ready" Flag;
     /// System fault lamp.
@@ -256,8 +216,8 @@ model! {
     BatteryCurrent "battery.current" Deciamp;
     /// State of charge.
     BatterySoc "battery.soc" Permille;
-    /// 0 invalid, 1 precharging, 2 precharged, 3 calibration, 4 fault.
-    BatteryState "battery.state" Count;
+    /// How far the battery's check of itself has come (BUS-69).
+    BatteryState "battery.state" Check;
     /// The battery asks the vehicle to open the high-voltage circuit.
     BatteryHvOffRequest "battery.hv_off_request" Flag;
     /// Severity of the battery's fault report.

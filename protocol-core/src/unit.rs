@@ -1,9 +1,9 @@
-//! Model values as a person reads them: the number in its everyday unit.
+//! Model values as a person reads them: the number in its everyday unit, a state by its word.
 //!
 //! Integers only: a value is printed as an exact decimal, rounded towards zero where the unit is binary.
 
 use crate::link::Sample;
-use crate::model::{Gear, Unit};
+use crate::model::{Missing, Unit};
 use core::fmt;
 
 /// How one unit is printed: everyday value = counts x `numerator` / `denominator`, with `decimals` digits.
@@ -41,7 +41,7 @@ impl Unit {
         }
     }
 
-    /// Returns the symbol of the everyday unit, empty for codes and flags.
+    /// Returns the symbol of the everyday unit, empty for codes and states.
     pub const fn symbol(self) -> &'static str {
         self.scale().symbol
     }
@@ -61,36 +61,8 @@ pub struct Reader {
 
 impl fmt::Display for Reader {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let word = match (self.unit, self.counts) {
-            (Unit::Flag, 0) => Some("no"),
-            (Unit::Flag, _) => Some("yes"),
-            (Unit::Severity, 1) => Some("warn"),
-            (Unit::Severity, 2) => Some("derate"),
-            (Unit::Severity, 3) => Some("stop"),
-            (Unit::Contactor, 0) => Some("open"),
-            (Unit::Contactor, 1) => Some("closed"),
-            (Unit::Contactor, 2) => Some("welded"),
-            (Unit::Run, 0) => Some("stopped"),
-            (Unit::Run, 1) => Some("running"),
-            (Unit::Run, 2) | (Unit::Contactor | Unit::Charge, 3) => Some("fault"),
-            (Unit::Charge, 0) => Some("not charging"),
-            (Unit::Charge, 1) => Some("charging"),
-            (Unit::Charge, 2) => Some("complete"),
-            (Unit::Severity, _) => Some("none"),
-            (Unit::Fan, 0) => Some("low"),
-            (Unit::Fan, 1) => Some("medium"),
-            (Unit::Fan, 2) => Some("high"),
-            _ => None,
-        };
-        if let Some(word) = word {
-            return f.write_str(word);
-        }
-        if self.unit == Unit::Gear {
-            return match Gear::from_model(self.counts) {
-                Some(Gear::Forward(number)) => write!(f, "{number}"),
-                Some(gear) => write!(f, "{gear:?}"),
-                None => f.write_str("none"),
-            };
+        if let Some(state) = self.unit.kind().and_then(|kind| kind.of_number(self.counts)) {
+            return f.write_str(state.word);
         }
         let Scale { numerator, denominator, decimals, symbol } = self.unit.scale();
         let ten = 10_i64.pow(decimals);
@@ -122,9 +94,9 @@ pub struct SampleReader {
 impl fmt::Display for SampleReader {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.sample {
-            Sample::Never => f.write_str("never seen"),
-            Sample::Stale => f.write_str("stale"),
-            Sample::Invalid => f.write_str("invalid"),
+            Sample::Never => f.write_str(Missing::Never.word()),
+            Sample::Stale => f.write_str(Missing::Stale.word()),
+            Sample::Invalid => f.write_str(Missing::Invalid.word()),
             Sample::Value(counts) => fmt::Display::fmt(&self.unit.show(counts), f),
         }
     }
@@ -146,8 +118,8 @@ mod tests {
             (Unit::Millivolt, 3_305, "3.305 V"),
             (Unit::Celsius, -40, "-40 °C"),
             (Unit::Gear, 1, "D"),
-            (Unit::Gear, 13, "3"),
-            (Unit::Gear, 0, "none"),
+            (Unit::Gear, 13, "D3"),
+            (Unit::Gear, 0, "0"),
             (Unit::Flag, 1, "yes"),
             (Unit::Severity, 3, "stop"),
             (Unit::Fan, 2, "high"),

@@ -122,21 +122,21 @@ fn bus_100_the_insulation_level_is_the_worse_of_level_and_alarm_bits() {
 fn bus_36_unknown_gears_are_invalid_and_the_others_are_what_is_printed() {
     let gear = |raw| {
         let model = value(BUS, "VCU1", citybus::Vcu1::new().with_gear_raw(raw).0, Value::VehicleGear);
-        model.map(|model| Gear::from_model(model).expect("a gear"))
+        model.map(|model| Gear::from_number(model).expect("a gear"))
     };
     for (raw, expected) in [
         (0, None),
         (0b0001, Some(Gear::D)),
         (0b0010, Some(Gear::R)),
-        (0b0011, Some(Gear::Forward(1))),
+        (0b0011, Some(Gear::D1)),
         (0b0100, Some(Gear::N)),
-        (0b0101, Some(Gear::Forward(2))),
-        (0b0110, Some(Gear::Forward(3))),
+        (0b0101, Some(Gear::D2)),
+        (0b0110, Some(Gear::D3)),
         (0b0111, None),
         (0b1000, Some(Gear::P)),
-        (0b1001, Some(Gear::Forward(4))),
-        (0b1010, Some(Gear::Forward(5))),
-        (0b1011, Some(Gear::Forward(6))),
+        (0b1001, Some(Gear::D4)),
+        (0b1010, Some(Gear::D5)),
+        (0b1011, Some(Gear::D6)),
         (0b1100, None),
         (0b1111, None),
     ] {
@@ -444,7 +444,7 @@ fn c5_13_the_charge_limit_of_raw_0_is_500_a() {
 fn c5_19_gear_3_is_park() {
     let gear = |raw| value(C5EV, "VCUToCluster", [0, 0, 0, 0, 0, 0, raw, 0], Value::VehicleGear);
     assert_eq!(
-        [0, 1, 2, 3].map(|raw| gear(raw).and_then(Gear::from_model)),
+        [0, 1, 2, 3].map(|raw| gear(raw).and_then(Gear::from_number)),
         [Gear::N, Gear::D, Gear::R, Gear::P].map(Some)
     );
 }

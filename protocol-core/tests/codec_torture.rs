@@ -83,7 +83,7 @@ fn the_worst_of_a_list_counts_and_an_unknown_state_does_not_hide_a_known_one() {
 
 #[test]
 fn states_may_be_numbers_invalid_or_everything_else() {
-    let mode = |state| decoded("Plain", Plain::new().with_state_raw(state).0, Value::VehicleMode);
+    let mode = |state| decoded("Plain", Plain::new().with_state_raw(state).0, Value::MotorFaultCode);
     assert_eq!([mode(0), mode(1), mode(2), mode(3), mode(4)], [Some(7), None, Some(5), Some(6), Some(5)]);
 }
 

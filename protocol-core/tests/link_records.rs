@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use protocol_core::link::*;
+use protocol_core::states::Confinement;
 
 fn encoded(record: &Record) -> Vec<u8> {
     let mut out = [0; MAX_FRAME];
@@ -46,7 +47,7 @@ fn largest() -> Vec<Record> {
             frames_unknown: m,
             overruns: m,
             ring_overflows: m,
-            can_state: CanState::BusOff,
+            can_state: Some(Confinement::BusOff),
             tec: 255,
             rec: 255,
             frames_sent: m,

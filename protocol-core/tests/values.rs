@@ -50,11 +50,11 @@ fn numbers_outside_the_words_of_a_unit_are_nothing() {
         assert_eq!(Severity::from_model(number), severity);
     }
     let gears = [(1, Gear::D), (2, Gear::R), (3, Gear::N), (4, Gear::P)];
-    let forward = (11..=16).map(|number| (number, Gear::Forward((number - 10) as u8)));
+    let forward = (11..).zip([Gear::D1, Gear::D2, Gear::D3, Gear::D4, Gear::D5, Gear::D6]);
     for (number, gear) in gears.into_iter().chain(forward) {
-        assert_eq!(Gear::from_model(number), Some(gear));
+        assert_eq!(Gear::from_number(number), Some(gear));
     }
-    assert!([-1, 0, 5, 10, 17].iter().all(|&number| Gear::from_model(number).is_none()));
+    assert!([-1, 0, 5, 10, 17].iter().all(|&number| Gear::from_number(number).is_none()));
 }
 
 #[test]
@@ -67,9 +67,9 @@ fn every_unit_is_read_as_people_read_it() {
         (Unit::Severity, 1, "warn"),
         (Unit::Severity, 2, "derate"),
         (Unit::Severity, 3, "stop"),
-        (Unit::Gear, 0, "none"),
+        (Unit::Gear, 0, "0"),
         (Unit::Gear, 2, "R"),
-        (Unit::Gear, 16, "6"),
+        (Unit::Gear, 16, "D6"),
         (Unit::Contactor, 0, "open"),
         (Unit::Contactor, 1, "closed"),
         (Unit::Contactor, 2, "welded"),
@@ -77,7 +77,7 @@ fn every_unit_is_read_as_people_read_it() {
         (Unit::Run, 0, "stopped"),
         (Unit::Run, 1, "running"),
         (Unit::Run, 2, "fault"),
-        (Unit::Charge, 0, "not charging"),
+        (Unit::Charge, 0, "idle"),
         (Unit::Charge, 1, "charging"),
         (Unit::Charge, 2, "complete"),
         (Unit::Charge, 3, "fault"),
@@ -100,13 +100,15 @@ fn every_unit_is_read_as_people_read_it() {
         (Unit::Watt, 30_500, "30.500 kW"),
         (Unit::Hertz, 50, "50 Hz"),
         (Unit::Day, 9, "9 d"),
-        (Unit::Key, 2, "2"),
+        (Unit::Key, 1, "acc"),
+        (Unit::Mode, 5, "limp"),
+        (Unit::Check, 2, "precharged"),
+        (Unit::Check, 5, "5"),
         (Unit::Bits, 5, "5"),
     ];
     for (unit, counts, text) in texts {
         assert_eq!(unit.show(counts).to_string(), text, "{unit:?}");
         let symbol = text.split_once(' ').map_or("", |(_, symbol)| symbol);
-        let symbol = if text == "not charging" { "" } else { symbol };
         assert_eq!(unit.symbol(), symbol, "{unit:?}");
     }
     for value in Value::ALL {
@@ -118,7 +120,7 @@ fn every_unit_is_read_as_people_read_it() {
 fn a_missing_sample_says_how_it_is_missing() {
     let text = |sample: Sample| sample.show(Unit::Decivolt).to_string();
     assert_eq!(text(Sample::Value(5_376)), "537.6 V");
-    assert_eq!(text(Sample::Never), "never seen");
+    assert_eq!(text(Sample::Never), "never");
     assert_eq!(text(Sample::Stale), "stale");
     assert_eq!(text(Sample::Invalid), "invalid");
 }

@@ -11,6 +11,7 @@ use cluster::Source;
 use protocol_core::Value;
 use protocol_core::link::{Decoder, Fault, Health, Record, Sample, Screen, Trip, Trips};
 use protocol_core::model::Severity;
+use protocol_core::states::Confinement;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Read, Write};
@@ -207,7 +208,7 @@ fn said(fault: &Fault) -> String {
         None => format!("source {}", fault.source),
     };
     let code = fault.code.map_or(String::new(), |code| format!(" code {code}"));
-    let severity = word(Severity::from_model(fault.severity.into()));
+    let severity = Severity::from_model(fault.severity.into()).word();
     format!("{source}{code}: {severity}, text {:04x}", fault.text)
 }
 
@@ -238,11 +239,11 @@ fn write_trips(trips: &Trips, out: &mut dyn Write) -> std::io::Result<()> {
 fn write_health(health: &Health, out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(
         out,
-        "health  up {}.{:03} s, CAN {:?} (TEC {}, REC {}), received {}, sent {}, unknown {}, short {}, damaged {}, overruns {}, \
+        "health  up {}.{:03} s, CAN {} (TEC {}, REC {}), received {}, sent {}, unknown {}, short {}, damaged {}, overruns {}, \
          queue overflows {}, idle {}.{} %, last reset {:?}",
         health.uptime_ms / 1000,
         health.uptime_ms % 1000,
-        health.can_state,
+        health.can_state.map_or(Confinement::OFFLINE, Confinement::word),
         health.tec,
         health.rec,
         health.frames_received,
@@ -261,7 +262,8 @@ fn write_health(health: &Health, out: &mut dyn Write) -> std::io::Result<()> {
 fn write_screen(screen: &Screen, out: &mut dyn Write) -> std::io::Result<()> {
     let line = screen.line.map_or(String::new(), |line| {
         let code = line.code.map_or(String::new(), |code| format!(" code {code}"));
-        format!(", line {:04x}{code} severity {}", line.text, line.severity)
+        let severity = Severity::from_model(line.severity.into()).word();
+        format!(", line {:04x}{code} severity {severity}", line.text)
     });
     let hv_off = screen.hv_off_s.map_or(String::new(), |seconds| format!(", HV off in {seconds} s"));
     let limp = match (screen.limps, screen.limp_deciamps) {

@@ -12,6 +12,7 @@ use cluster::{Cluster, Inputs};
 use protocol_core::Millis;
 use protocol_core::codec::{LifeKind, MessageInfo, Mux, Order, SignalInfo};
 use protocol_core::model::{Readings, Shown, Unit, Value};
+use protocol_core::states::{KINDS, State};
 use protocol_core::vehicle::{FaultText, Vehicle};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -65,7 +66,8 @@ pub fn run(options: &Options) -> Result<()> {
 
 /// Returns name and text of every page.
 fn pages() -> Result<Vec<(String, String)>> {
-    let mut pages = vec![("support".into(), support()), ("faults".into(), faults())];
+    let mut pages =
+        vec![("support".into(), support()), ("faults".into(), faults()), ("states".into(), states())];
     for tables in Tables::all() {
         let name = tables.vehicle.name;
         let path = format!("vehicles/{name}/{name}.dbc");
@@ -275,11 +277,10 @@ fn support() -> String {
 }
 
 fn unit(unit: Unit) -> String {
-    match unit {
-        Unit::Flag => "yes/no".into(),
-        Unit::Count => String::new(),
-        _ if !unit.symbol().is_empty() => unit.symbol().into(),
-        _ => format!("{unit:?}").to_lowercase(),
+    match (unit, unit.kind()) {
+        (_, Some(kind)) => format!("[{0}](states.md#{0})", kind.name),
+        (Unit::Bits, None) => "bits".into(),
+        (_, None) => unit.symbol().into(),
     }
 }
 
@@ -387,9 +388,30 @@ fn faults() -> String {
         for FaultText { source, code, severity, zh, en, .. } in vehicle.faults {
             let source =
                 vehicle.node(*source).map_or_else(|| format!("{source:?}"), |name| name.en.to_owned());
-            let severity =
-                severity.map(|severity| format!("{severity:?}").to_lowercase()).unwrap_or_default();
-            out += &row(&[source, code.to_string(), severity, (*zh).into(), (*en).into()]);
+            let severity = severity.map(|severity| severity.word()).unwrap_or_default();
+            out += &row(&[source, code.to_string(), severity.into(), (*zh).into(), (*en).into()]);
+        }
+    }
+    out
+}
+
+/// The states of every kind.
+fn states() -> String {
+    let mut out = page(
+        "States",
+        "What is no quantity is a state. `vehicle.toml`, scenarios, recordings and JSON have the word; the number is that \
+         of the model and of the PC link. The rows are those of `protocol-core/src/states.rs`.",
+    );
+    for kind in KINDS {
+        let values = Value::ALL.iter().filter(|value| value.unit().kind() == Some(*kind));
+        let paths: Vec<String> = values.map(|value| format!("`{}`", value.path())).collect();
+        let _ = writeln!(out, "\n## {}", kind.name);
+        if !paths.is_empty() {
+            let _ = writeln!(out, "\n{}", paths.join(", "));
+        }
+        out += &head(&["Number", "Word", "中文", "English"]);
+        for State { number, word, zh, en, .. } in kind.states {
+            out += &row(&[number.to_string(), format!("`{word}`"), (*zh).into(), (*en).into()]);
         }
     }
     out

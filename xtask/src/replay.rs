@@ -16,7 +16,7 @@ use clap::Args;
 use cluster::telltale::{Telltale, Telltales};
 use cluster::view::{Limp, Line, Range};
 use cluster::{Chime, Cluster, Entry, Inputs, Received, Sound, View};
-use protocol_core::model::{Severity, Shown, Value};
+use protocol_core::model::{Missing, Severity, Shown, Value};
 use protocol_core::{Millis, Vehicle};
 use serde_json::{Value as Json, json};
 use std::io::{self, BufWriter, Write};
@@ -145,8 +145,8 @@ impl Screen {
         let view = cluster.view(now);
         if self.severity != view.severity {
             self.severity = view.severity;
-            let severity = word(view.severity);
-            print("severity", &severity, json!({ "severity": severity }))?;
+            let severity = view.severity.word();
+            print("severity", severity, json!({ "severity": severity }))?;
         }
         if self.lamps != Some(view.telltales) {
             self.lamps = Some(view.telltales);
@@ -211,7 +211,7 @@ impl Screen {
             let history: Vec<Entry> = cluster.history().copied().collect();
             for entry in history.iter().filter(|entry| !self.history.contains(entry)) {
                 let (said, code) = cluster.remembered(entry);
-                let (source, severity) = (word(entry.source), word(entry.severity));
+                let (source, severity) = (word(entry.source), entry.severity.word());
                 let number = code.map(|code| format!(" {code}")).unwrap_or_default();
                 let times = if entry.count > 1 { format!(" ({} times)", entry.count) } else { String::new() };
                 let text = format!("{severity}{number}: {} {} from {source}{times}", said.en, said.zh);
@@ -243,12 +243,7 @@ fn text_of(value: Value, shown: Shown<i32>) -> String {
 }
 
 fn state_of(shown: Shown<i32>) -> &'static str {
-    match shown {
-        Shown::Never => "never seen",
-        Shown::Stale => "stale",
-        Shown::Invalid => "invalid",
-        Shown::Value(_) => "value",
-    }
+    shown.missing().map_or("value", Missing::word)
 }
 
 fn lit(lamps: Telltales) -> Vec<String> {
@@ -259,7 +254,7 @@ fn line(line: Option<Line>) -> (String, Json) {
     let Some(line) = line else {
         return ("empty".into(), json!({ "severity": null, "zh": null, "en": null }));
     };
-    let severity = word(line.severity);
+    let severity = line.severity.word();
     let code = line.code.map(|code| format!(" {code}")).unwrap_or_default();
     let turn =
         if line.count > 1 { format!("  ({} of {})", line.position, line.count) } else { String::new() };

@@ -33,13 +33,13 @@ pub fn word(variant: impl std::fmt::Debug) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cluster::Sound;
     use cluster::telltale::Telltale;
-    use protocol_core::model::Severity;
 
     #[test]
     fn variants_read_as_words() {
         assert_eq!(word(Telltale::LowCharge), "low charge");
-        assert_eq!(word(Severity::Stop), "stop");
+        assert_eq!(word(Sound::Stop), "stop");
     }
 
     #[test]

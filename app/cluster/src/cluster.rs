@@ -174,8 +174,8 @@ impl Cluster {
 
     /// Files the cluster's own decisions as local values, for the messages that it sends.
     fn decide(&mut self, inputs: &Inputs, now: Millis) {
-        let gear = self.shown(Value::VehicleGear, now).value().and_then(Gear::from_model);
-        let driving_gear = matches!(gear, Some(Gear::D | Gear::R | Gear::Forward(_)));
+        let gear = self.shown(Value::VehicleGear, now).value().and_then(Gear::from_number);
+        let driving_gear = gear.is_some_and(Gear::drives);
         // Who may be upgraded is known, not guessed (JL-36): speed, gear and drive, each by a fresh value of its own.
         let standing = self.shown(Value::VehicleSpeed, now) == Shown::Value(0);
         let parked = matches!(gear, Some(Gear::N | Gear::P));
@@ -306,7 +306,7 @@ impl Cluster {
         let number = |number: u32| Shown::Value(i32::try_from(number).unwrap_or(i32::MAX));
         let told = |tell: fn(Controller) -> u32| self.controller.map_or(Shown::Never, |it| number(tell(it)));
         match count {
-            Count::State => told(|controller| controller.state as u32),
+            Count::State => told(|controller| controller.state.map_or(0, |state| state as u32)),
             Count::TransmitErrors => told(|controller| controller.transmit_errors.into()),
             Count::ReceiveErrors => told(|controller| controller.receive_errors.into()),
             Count::Sent => told(|controller| controller.sent),
@@ -399,7 +399,7 @@ impl Cluster {
         View {
             speed_kmh: shown(Value::VehicleSpeed)
                 .map(|speed| (speed.max(0) >> 8).min(u16::MAX.into()) as u16),
-            gear: shown(Value::VehicleGear).value().and_then(Gear::from_model),
+            gear: shown(Value::VehicleGear).value().and_then(Gear::from_number),
             soc_percent: self.charge(now).map(|soc| (soc / 10).clamp(0, 100) as u8),
             pack_decivolts: voltage,
             pack_deciamps: current,

@@ -13,14 +13,12 @@
 
 use protocol_core::Millis;
 use protocol_core::model::Shown;
+use protocol_core::states::Contactor;
 
 /// The vehicle has this long to open the circuit, in milliseconds.
 const VEHICLE_MS: u64 = 5_000;
 /// The battery opens the circuit by itself after this long, in milliseconds.
 const BATTERY_MS: u64 = 35_000;
-
-/// Contactor value "open" of the model.
-const OPEN: i32 = 0;
 
 /// How far a request has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +52,7 @@ impl HvOff {
             Shown::Value(_) => self.since = None,
             Shown::Never | Shown::Stale | Shown::Invalid => {}
         }
-        self.is_open = contactor == Shown::Value(OPEN);
+        self.is_open = contactor == Shown::Value(Contactor::Open.number());
     }
 
     /// Returns how far the request has come; `None` = there is none.

@@ -5,22 +5,10 @@
 //! Source: bus document, Meter1 BYTE1 to BYTE7; BUS-R128, BUS-94 to BUS-96.
 
 use crate::own::Conditions;
-use protocol_core::link::CanState;
 use protocol_core::model::{Reading, Readings, Value};
+use protocol_core::states::Confinement;
 
-/// Key position.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Key {
-    /// Locked.
-    #[default]
-    Lock = 0,
-    /// Accessories.
-    Accessory = 1,
-    /// On.
-    On = 2,
-    /// Start.
-    Start = 3,
-}
+pub use protocol_core::states::Key;
 
 /// Which doors are open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -79,8 +67,8 @@ pub struct Buttons {
 /// How the CAN controller is; counters since power-on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Controller {
-    /// Error state.
-    pub state: CanState,
+    /// Fault confinement; `None` = not started, or not answering.
+    pub state: Option<Confinement>,
     /// Transmit error counter.
     pub transmit_errors: u8,
     /// Receive error counter.
@@ -126,7 +114,7 @@ pub struct Inputs {
 type Row = (Value, fn(&Inputs) -> Reading);
 
 const ROWS: &[Row] = &[
-    (Value::BodyKey, |i| Reading::Valid(i.key as i32)),
+    (Value::BodyKey, |i| Reading::Valid(i.key.number())),
     (Value::BodyDoorFront, |i| flag(i.doors.front)),
     (Value::BodyDoorMiddle, |i| flag(i.doors.middle)),
     (Value::BodyDoorRear, |i| flag(i.doors.rear)),

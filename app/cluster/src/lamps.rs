@@ -9,6 +9,7 @@
 use crate::reception::Facts;
 use crate::telltale::{Telltale, Telltales};
 use protocol_core::model::{Shown, Value};
+use protocol_core::states::{Charge, Contactor, Run};
 
 /// What lights a lamp.
 enum When {
@@ -58,11 +59,6 @@ const SOC_LOW_CLEAR: i32 = 220;
 /// Air pressure, in 0.01 MPa, below which a bus may not start off (GB 7258: 400 kPa where nothing else is marked).
 const AIR_LOW: i32 = 40;
 
-/// Contactor value "open", charge value "charging", run value "fault" of the model.
-const OPEN: i32 = 0;
-const CHARGING: i32 = 1;
-const FAULT: i32 = 2;
-
 use Silence::Keeps;
 use When::{AnySilent, AtLeast, Is, Low};
 
@@ -89,15 +85,15 @@ const ROWS: &[Row] = rows! {
     PowerLimited Darkens: Is(Value::VehicleTorqueLimited, 1);
     LowCharge Darkens: Low(Value::BatterySoc, SOC_LOW, SOC_LOW_CLEAR), unless sent BatteryLow;
     LowCharge Darkens: Is(Value::BatteryLow, 1);
-    BatteryCut Darkens: Is(Value::ContactorMain, OPEN);
+    BatteryCut Darkens: Is(Value::ContactorMain, Contactor::Open.number());
     ChargePlug Darkens: Is(Value::ChargePlug, 1);
-    Charging Darkens: Is(Value::ChargeState, CHARGING);
-    LowVoltage Keeps: Is(Value::DcdcState, FAULT);
+    Charging Darkens: Is(Value::ChargeState, Charge::Charging.number());
+    LowVoltage Keeps: Is(Value::DcdcState, Run::Fault.number());
     LowVoltage Keeps: Is(Value::DcdcFault, 1);
     LowVoltage Keeps: Is(Value::SupplyLow, 1);
     LowVoltage Keeps: Is(Value::VehicleSupplyLow, 1);
-    Steering Keeps: Is(Value::SteeringState, FAULT);
-    Compressor Keeps: Is(Value::CompressorState, FAULT);
+    Steering Keeps: Is(Value::SteeringState, Run::Fault.number());
+    Compressor Keeps: Is(Value::CompressorState, Run::Fault.number());
     Compressor Keeps: Is(Value::CompressorFault, 1);
     ParkingBrake Darkens: Is(Value::BodyParkingBrake, 1);
     Door Darkens: Is(Value::BodyDoorFront, 1);

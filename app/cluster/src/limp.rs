@@ -5,11 +5,10 @@
 //! the likelier cause and nothing is said of the vehicle.
 //! Source: BUS-R080, BUS-R081; reading BUS-81 (5 s on both sides; 0.3C of the rated capacity).
 
+use protocol_core::states::Mode;
+
 /// Silence of the battery after which the vehicle limps, in milliseconds.
 pub(crate) const LOSS_MS: u64 = 5_000;
-
-/// Vehicle mode "limp" of the model.
-const LIMP_MODE: i32 = 5;
 
 /// Largest current in limp mode, in 0.1 A.
 const MOST_DECIAMPS: i32 = 600;
@@ -31,7 +30,7 @@ impl Link {
     /// Returns whether the vehicle limps, as far as the cluster can tell.
     pub(crate) fn limps(self) -> bool {
         let lost = self.battery_silent_ms.is_some_and(|silent_ms| silent_ms >= LOSS_MS);
-        lost && !self.vehicle_silent || self.mode == Some(LIMP_MODE)
+        lost && !self.vehicle_silent || self.mode == Some(Mode::Limp.number())
     }
 }
 

@@ -21,7 +21,7 @@ impl Reverse {
 
     /// Takes the gear as it is now known.
     pub(crate) fn observe(&mut self, gear: Shown<i32>, now: Millis) {
-        self.since = match gear.value().and_then(Gear::from_model) {
+        self.since = match gear.value().and_then(Gear::from_number) {
             Some(Gear::R) => self.since.or(Some(now)),
             _ => None,
         };

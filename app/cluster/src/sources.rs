@@ -13,10 +13,8 @@ use crate::reception::Facts;
 use crate::texts;
 use crate::view::Text;
 use protocol_core::model::{Severity, Shown, Value};
+use protocol_core::states::Run;
 use protocol_core::vehicle::{FaultText, Node, Vehicle};
-
-/// Run value "fault" of the model.
-const FAULT: i32 = 2;
 
 /// What makes a source report.
 pub(crate) enum When {
@@ -138,7 +136,7 @@ impl Row {
     }
 
     const fn component(source: Source, state: Value, code: Value, text: Text) -> Self {
-        Self::new(source, When::Is(state, FAULT), Joins(Warn), Words::Always(text)).code(code)
+        Self::new(source, When::Is(state, Run::Fault.number()), Joins(Warn), Words::Always(text)).code(code)
     }
 
     const fn silent(source: Source, node: Node, severity: Severity) -> Self {
@@ -418,7 +416,7 @@ mod tests {
         let any_of = Row::any_of(S::Cooling, &[V::CoolingFanFault], Always(Warn), texts::COOLING);
         assert!(matches!(any_of.when, When::AnyOf([V::CoolingFanFault])));
         let component = Row::component(S::Dcdc, V::DcdcState, V::DcdcFaultCode, texts::DCDC);
-        assert!(matches!(component.when, When::Is(V::DcdcState, FAULT)));
+        assert!(matches!(component.when, When::Is(V::DcdcState, state) if state == Run::Fault.number()));
         assert!(matches!(component.grade, Joins(Warn)), "BUS-113: the documents print no level");
         assert_eq!(traits(&component), ([Some(V::DcdcFaultCode), None], [false; 4]));
         let silent = Row::silent(S::SilentInverter, Node::Inverter, Warn);

@@ -10,6 +10,7 @@ use crate::odometer::{LONGEST_STEP_MS, PER_KM};
 use crate::view::{Charging, Journey, Plug, Range};
 use protocol_core::Millis;
 use protocol_core::model::{Shown, Value};
+use protocol_core::states::Charge;
 
 /// 10 mW times milliseconds in one watt-hour.
 const PER_WH: u64 = 360_000_000;
@@ -18,11 +19,6 @@ const SLOW: i32 = 5 * 256;
 /// Distance from which an average is shown, and from which one is good enough for a range.
 const SHORTEST: u64 = PER_KM / 10;
 const SHORTEST_FOR_RANGE: u64 = PER_KM;
-
-/// Charge values "charging", "complete" and "fault" of the model.
-const CHARGING: i32 = 1;
-const COMPLETE: i32 = 2;
-const FAULT: i32 = 3;
 
 /// A trip that the driver can reset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,16 +174,18 @@ fn first_known(first: Shown<i32>, second: Shown<i32>) -> Shown<i32> {
 
 /// Returns whether energy that flows into the battery comes out of a plug.
 pub(crate) fn is_charging(shown: impl Fn(Value) -> Shown<i32>) -> bool {
-    shown(Value::ChargePlug) == Shown::Value(1) || shown(Value::ChargeState) == Shown::Value(CHARGING)
+    shown(Value::ChargePlug) == Shown::Value(1)
+        || shown(Value::ChargeState) == Shown::Value(Charge::Charging.number())
 }
 
 /// Returns what there is to tell while a plug is inserted; `None` = none is.
 pub(crate) fn charging(shown: impl Fn(Value) -> Shown<i32>, capacity_ah: Option<i32>) -> Option<Charging> {
-    let plug = match (shown(Value::ChargeState), shown(Value::ChargePlug)) {
-        (Shown::Value(CHARGING), _) => Plug::Charging,
-        (Shown::Value(COMPLETE), _) => Plug::Complete,
-        (Shown::Value(FAULT), _) => Plug::Fault,
-        (_, Shown::Value(1)) => Plug::Inserted,
+    let state = shown(Value::ChargeState).value().and_then(Charge::from_number);
+    let plug = match (state, shown(Value::ChargePlug)) {
+        (Some(Charge::Charging), _) => Plug::Charging,
+        (Some(Charge::Complete), _) => Plug::Complete,
+        (Some(Charge::Fault), _) => Plug::Fault,
+        (None | Some(Charge::Idle), Shown::Value(1)) => Plug::Inserted,
         _ => return None,
     };
     // Into the battery is positive here; the charger's own figures where the battery's are not heard.

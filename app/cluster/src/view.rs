@@ -8,6 +8,8 @@ use crate::telltale::Telltales;
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Severity, Shown};
 
+pub use protocol_core::states::Plug;
+
 /// A text in the two languages of the product.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Text {
@@ -135,19 +137,6 @@ pub struct Range {
     pub km: u16,
     /// The cluster's own estimate: to be marked as such.
     pub is_estimated: bool,
-}
-
-/// What an inserted plug does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Plug {
-    /// Inserted, and nothing flows.
-    Inserted,
-    /// Charging.
-    Charging,
-    /// Charging is complete.
-    Complete,
-    /// Charging has failed.
-    Fault,
 }
 
 /// What there is to tell while a plug is inserted.

@@ -3,7 +3,7 @@
 //! The screen comes up without it; a module that is plugged in later is found within a second.
 
 use mcp2515_can::driver::Verdict;
-use mcp2515_can::{Config, Health, Mcp2515, Mode, Refused, TransmitError};
+use mcp2515_can::{Config, Health, Mcp2515, Mode, Refusals, Refused, TransmitError};
 use pico::can_port::SpiStuck;
 use pico::{CanInt, CanSpi, Delay};
 use protocol_core::CanFrame;
@@ -51,7 +51,7 @@ enum Chip {
     Away,
 }
 
-/// The parts of the controller on their way through a start, which takes up to 12 ms: long enough to be done without
+/// The parts of the controller on their way through a start, which takes up to 5 ms: long enough to be done without
 /// the lock that keeps the interrupt out.
 pub enum Attempt {
     /// Start a controller that has not answered yet.
@@ -97,8 +97,10 @@ pub struct Status {
     pub controller: Option<Health>,
     /// Frames lost because the queue to the tick was full.
     pub queue_overflows: u32,
-    /// SPI transactions that failed and start-ups that were refused.
+    /// SPI transactions that failed while the controller ran.
     pub spi_errors: u32,
+    /// Start-ups that were refused, by reason.
+    pub refusals: Refusals,
 }
 
 /// The CAN node of the cluster.
@@ -109,6 +111,7 @@ pub struct CanNode {
     retry_ms: u64,
     queue_overflows: u32,
     spi_errors: u32,
+    refusals: Refusals,
 }
 
 impl CanNode {
@@ -120,6 +123,7 @@ impl CanNode {
             retry_ms: 0,
             queue_overflows: 0,
             spi_errors: 0,
+            refusals: Refusals::NONE,
         }
     }
 
@@ -150,6 +154,7 @@ impl CanNode {
     /// Takes a frame for transmission; `false` = try again at the next tick.
     pub fn transmit(&mut self, frame: &CanFrame, now_ms: u64) -> bool {
         match &mut self.chip {
+            // What may not go out now, as after bus-off, would be stale when it may.
             Chip::Running(chip) => !matches!(chip.transmit(frame, now_ms), Err(TransmitError::Busy)),
             // Nobody would hear it, now or later.
             Chip::Down(..) | Chip::Away => true,
@@ -223,7 +228,7 @@ impl CanNode {
                 Chip::Running(chip)
             }
             Err(refused) => {
-                self.spi_errors = self.spi_errors.saturating_add(1);
+                self.refusals.note(&refused.error);
                 Chip::Down(refused.spi, refused.int)
             }
         };
@@ -235,6 +240,7 @@ impl CanNode {
             Chip::Running(chip) => Some(chip.health()),
             Chip::Down(..) | Chip::Away => None,
         };
-        Status { controller, queue_overflows: self.queue_overflows, spi_errors: self.spi_errors }
+        let Self { queue_overflows, spi_errors, refusals, .. } = *self;
+        Status { controller, queue_overflows, spi_errors, refusals }
     }
 }

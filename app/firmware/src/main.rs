@@ -1,30 +1,30 @@
 //! The instrument cluster on a Raspberry Pi Pico: wiring only.
 //!
 //! <!-- tasks: cargo xtask tasks -->
-//! | task          | trigger       | priority | at start | own      | whole    | locals             | shared               |
-//! |---------------|---------------|----------|----------|----------|----------|--------------------|----------------------|
-//! | `init`        | power-on      |          | < 15 ms  |          |          | memory, queue,     |                      |
-//! |               |               |          |          |          |          | tile_a, tile_b     |                      |
-//! | `can_service` | IO_IRQ_BANK0  | 4        | -        | < 93 us  | < 93 us  | frames_in          | can                  |
-//! | `panel_done`  | DMA_IRQ_0     | 3        | < 13 us  | < 22 us  | < 37 us  | tile_done_in       |                      |
-//! | `link_done`   | DMA_IRQ_1     | 3        | < 12 us  | < 14 us  | < 41 us  |                    | link                 |
-//! | `tick`        | every 10 ms   | 2        | < 7.4 ms | < 2.4 ms | < 2.5 ms | frames_out,        | can, cluster, &boot  |
-//! |               |               |          |          |          |          | views_in, wires,   |                      |
-//! |               |               |          |          |          |          | buzzer, led,       |                      |
-//! |               |               |          |          |          |          | recognition, watch |                      |
-//! | `draw`        | views_out,    | 1        | < 3.9 ms | < 5.2 ms | < 6.1 ms | panel, tiles,      | shown, &boot         |
-//! |               | tile_done_out |          |          |          |          | backlight,         |                      |
-//! |               |               |          |          |          |          | views_out,         |                      |
-//! |               |               |          |          |          |          | tile_done_out      |                      |
-//! | `report`      | every 200 ms  | 1        | < 3.9 ms | < 5.2 ms | < 6.1 ms |                    | can, cluster, shown, |
-//! |               |               |          |          |          |          |                    | link, &boot          |
-//! | (no task)     | TIMER_IRQ_0   | 3        | < 24 us  | < 33 us  | < 51 us  |                    |                      |
-//! | `idle`        | nothing else  | 0        |          |          |          |                    |                      |
+//! | task          | trigger       | priority | at start | later    | locals             | shared               |
+//! |---------------|---------------|----------|----------|----------|--------------------|----------------------|
+//! | `init`        | power-on      |          | < 17 ms  |          | memory, queue,     |                      |
+//! |               |               |          |          |          | tile_a, tile_b     |                      |
+//! | `can_service` | IO_IRQ_BANK0  | 4        | -        | < 77 us  | frames_in          | can                  |
+//! | `panel_done`  | DMA_IRQ_0     | 3        | < 17 us  | < 27 us  | tile_done_in       |                      |
+//! | `link_done`   | DMA_IRQ_1     | 3        | < 16 us  | < 16 us  |                    | link                 |
+//! | `tick`        | every 10 ms   | 2        | < 1.9 ms | < 2.7 ms | frames_out,        | can, cluster, &boot  |
+//! |               |               |          |          |          | views_in, wires,   |                      |
+//! |               |               |          |          |          | buzzer, led,       |                      |
+//! |               |               |          |          |          | recognition, watch |                      |
+//! | `draw`        | views_out,    | 1        | < 1.9 ms | < 7.3 ms | panel, tiles,      | shown, &boot         |
+//! |               | tile_done_out |          |          |          | backlight,         |                      |
+//! |               |               |          |          |          | views_out,         |                      |
+//! |               |               |          |          |          | tile_done_out      |                      |
+//! | `report`      | every 200 ms  | 1        | < 1.9 ms | < 7.3 ms |                    | can, cluster, shown, |
+//! |               |               |          |          |          |                    | link, &boot          |
+//! | (no task)     | TIMER_IRQ_0   | 3        | < 23 us  | < 35 us  |                    |                      |
+//! | `idle`        | nothing else  | 0        |          |          |                    |                      |
 //!
 //! Longest times on the bench, rustc 1.95.0: power-on, the 60 s city drive while pages turn, its frames back to back
-//! for 5 s, the bus shorted for 1 s. At start: the first 500 ms, entry to end (`init`: from power-on). Own: later,
-//! without what interrupts it; whole: entry to end. `draw` and `report` run in one interrupt, whose times both have.
-//! A task runs to its next `await`. Interrupts masked: < 92 us; stack: < 13000 bytes.
+//! for 5 s, the bus shorted for 1 s. At start: in the first 500 ms; `init` from power-on. Times are to a task's end
+//! or its next `await`, without what interrupts it. `draw` and `report` run in one interrupt, whose times they have.
+//! Interrupts masked: < 120 us; stack: < 15000 bytes.
 //! <!-- /tasks -->
 //!
 //! Reception outranks everything and is never masked for longer than one lock of `can`: a frame of 47 bits at

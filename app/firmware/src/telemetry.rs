@@ -3,12 +3,13 @@
 use cluster::{Cluster, Controller, Counters, View};
 use pico::{Boot, Reset};
 use protocol_core::link::{
-    CHUNK, CanState, Chunk, Excerpt, Fault, Health, Record, ResetReason, Sample, Screen, ScreenLine, Trip,
-    Trips, text_id,
+    CHUNK, Chunk, Excerpt, Fault, Health, Record, ResetReason, Sample, Screen, ScreenLine, Trip, Trips,
+    text_id,
 };
 use protocol_core::{Millis, Shown, Value, Vehicle};
 
 use mcp2515_can::BusState;
+use protocol_core::states::Confinement;
 
 use crate::can_node::Status;
 
@@ -42,20 +43,21 @@ pub struct Measured {
     pub idle_permille: u16,
 }
 
-fn state(state: BusState) -> CanState {
-    match state {
-        BusState::Active => CanState::ErrorActive,
-        BusState::Warning => CanState::Warning,
-        BusState::Passive => CanState::ErrorPassive,
-        BusState::BusOff => CanState::BusOff,
-    }
+/// Returns the fault confinement of the CAN controller; `None` = it does not answer.
+fn confinement(can: &Status) -> Option<Confinement> {
+    can.controller.map(|chip| match chip.state {
+        BusState::Active => Confinement::ErrorActive,
+        BusState::Warning => Confinement::Warning,
+        BusState::Passive => Confinement::ErrorPassive,
+        BusState::BusOff => Confinement::BusOff,
+    })
 }
 
-/// How the CAN controller is, as the cluster wants it; one that does not answer is offline.
+/// How the CAN controller is, as the cluster wants it.
 pub fn controller(can: Status) -> Controller {
     let chip = can.controller.unwrap_or_default();
     Controller {
-        state: can.controller.map_or(CanState::Offline, |chip| state(chip.state)),
+        state: confinement(&can),
         transmit_errors: chip.transmit_errors,
         receive_errors: chip.receive_errors,
         sent: chip.sent,
@@ -74,11 +76,11 @@ pub fn health(can: Status, counters: Counters, boot: &Boot, measured: Measured, 
         frames_unknown: counters.unknown,
         overruns: chip.overruns,
         ring_overflows: can.queue_overflows,
-        can_state: can.controller.map_or(CanState::Offline, |chip| state(chip.state)),
+        can_state: confinement(&can),
         tec: chip.transmit_errors,
         rec: chip.receive_errors,
         frames_sent: chip.sent,
-        spi_errors: can.spi_errors.saturating_add(chip.undrained),
+        spi_errors: can.spi_errors.saturating_add(can.refusals.total()).saturating_add(chip.undrained),
         draws: measured.draws,
         max_draw_us: measured.max_draw_us,
         idle_permille: measured.idle_permille,
@@ -104,7 +106,7 @@ pub fn screen(view: &View, now_ms: u64) -> Record {
     Record::Shown(Screen {
         time_ms: now_ms,
         speed_kmh: sample(view.speed_kmh),
-        gear: view.gear.map_or(0, cluster_gear),
+        gear: view.gear.map_or(0, |gear| gear as u8),
         soc_percent: sample(view.soc_percent),
         pack_decivolts: sample(view.pack_decivolts),
         pack_deciamps: sample(view.pack_deciamps),
@@ -182,16 +184,4 @@ pub fn remembered(cluster: &Cluster, place: usize) -> Option<(Record, Millis)> {
 
 fn sample(shown: Shown<impl Into<i32>>) -> Sample {
     shown.map(Into::into).into()
-}
-
-/// The inverse of `Gear::from_model`.
-fn cluster_gear(gear: protocol_core::model::Gear) -> u8 {
-    use protocol_core::model::Gear;
-    match gear {
-        Gear::D => 1,
-        Gear::R => 2,
-        Gear::N => 3,
-        Gear::P => 4,
-        Gear::Forward(number) => 10 + number,
-    }
 }

@@ -708,7 +708,7 @@ mod tests {
     fn every_widget_has_room_for_the_ends_of_its_value() {
         let powers = (0..10).flat_map(|figures| [10_i32.pow(figures) - 1, 10_i32.pow(figures)]);
         let values = powers.flat_map(|value| [value, -value]).chain([i32::MIN, i32::MAX]).map(Shown::Value);
-        let gears = [Gear::D, Gear::R, Gear::N, Gear::P].into_iter().chain((0..=u8::MAX).map(Gear::Forward));
+        let gears = Gear::ALL.iter().copied();
         let mut gears = gears.cycle();
         for shown in values.chain([Shown::Never, Shown::Stale, Shown::Invalid]) {
             let small = |most: i32| shown.map(|value| value.clamp(0, most));

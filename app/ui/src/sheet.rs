@@ -16,9 +16,10 @@ use crate::{
 use cluster::{
     Page, Trip, View,
     page::{Count, Part},
-    view::{Charging, Journey, Language, List, Listed, Plug, Range, Sheet, Text},
+    view::{Charging, Journey, Language, List, Listed, Range, Sheet, Text},
 };
 use protocol_core::model::{Gear, Shown, Unit, Value};
+use protocol_core::states::{Confinement, Contactor, Flag};
 
 /// Pages with the same places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -259,15 +260,14 @@ fn detail(row: &Listed) -> Short {
 
 /// Returns the label and the value of a line of a table, `None` for what the vehicle does not have.
 fn line_of(text: Text, unit: Option<Unit>, shown: Shown<i32>, language: Language) -> Option<(Text, Cell)> {
-    let said = |text, ink| words(text, language, ink);
-    let cell = match (unit, shown) {
+    let state = match (unit, shown.value()) {
+        (Some(Unit::Contactor), Some(number)) => Contactor::from_number(number).map(words::contactor),
+        (Some(Unit::Flag), Some(number)) => Flag::from_number(number).map(words::flag),
+        _ => None,
+    };
+    let cell = match (state, shown) {
         (_, Shown::Never) => return None,
-        (Some(Unit::Contactor), Shown::Value(0)) => said(words::OPEN, Ink::Secondary),
-        (Some(Unit::Contactor), Shown::Value(1)) => said(words::CLOSED, Ink::Accent),
-        (Some(Unit::Contactor), Shown::Value(2)) => said(words::WELDED, Ink::Red),
-        (Some(Unit::Contactor), Shown::Value(_)) => said(words::FAULTY, Ink::Red),
-        (Some(Unit::Flag), Shown::Value(0)) => said(words::NO, Ink::Secondary),
-        (Some(Unit::Flag), Shown::Value(_)) => said(words::YES, Ink::Red),
+        (Some((word, ink)), _) => words(word, language, ink),
         (_, Shown::Value(0)) => Cell { content: Content::Short(Short::shown(shown, 0)), ink: Ink::Secondary },
         _ => {
             let whole = Content::Short(Short::shown(shown, 0));
@@ -285,8 +285,8 @@ fn line_of(text: Text, unit: Option<Unit>, shown: Shown<i32>, language: Language
 
 fn bus_line(count: Count, shown: Shown<i32>, language: Language) -> Option<(Text, Cell)> {
     let (text, cell) = line_of(words::count(count), None, shown, language)?;
-    let state = shown.value().filter(|_| count == Count::State).and_then(words::can_state);
-    Some((text, state.map_or(cell, |(text, ink)| words(text, language, ink))))
+    let state = shown.value().filter(|_| count == Count::State).map(Confinement::from_number);
+    Some((text, state.map(words::confinement).map_or(cell, |(text, ink)| words(text, language, ink))))
 }
 
 /// The four values of [`Part::Extremes`]: unit, decimals, and how many places follow each.
@@ -315,10 +315,7 @@ fn title(view: &View) -> Text {
         Page::Trip(Trip::B) => words::TRIP_B,
         Page::Energy => match view.charging.map(|charging| charging.plug) {
             None => words::ENERGY,
-            Some(Plug::Inserted) => words::PLUGGED,
-            Some(Plug::Charging) => words::CHARGING,
-            Some(Plug::Complete) => words::CHARGED,
-            Some(Plug::Fault) => words::CHARGE_FAULT,
+            Some(plug) => words::plug(plug),
         },
         Page::Faults(_) => words::FAULTS,
         Page::History(_) => words::HISTORY,
@@ -367,8 +364,12 @@ pub(crate) const fn letter(gear: Gear) -> u8 {
         Gear::R => b'R',
         Gear::N => b'N',
         Gear::P => b'P',
-        Gear::Forward(gear) if gear < 10 => b'0' + gear,
-        Gear::Forward(_) => b'9',
+        Gear::D1 => b'1',
+        Gear::D2 => b'2',
+        Gear::D3 => b'3',
+        Gear::D4 => b'4',
+        Gear::D5 => b'5',
+        Gear::D6 => b'6',
     }
 }
 
@@ -487,8 +488,8 @@ mod tests {
     use crate::{row::Row, theme::Palette};
     use cluster::view::Theme;
     extern crate std;
-    use protocol_core::link::CanState;
     use protocol_core::model::Severity;
+    use protocol_core::states::Plug;
     use std::{format, string::String, vec::Vec};
 
     const KINDS: [Kind; 5] = [Kind::Main, Kind::Grid, Kind::List, Kind::Table, Kind::Extremes];
@@ -571,7 +572,8 @@ mod tests {
             regained_watthours: natural,
         };
         let list = |severity| List {
-            rows: [Some(Listed { severity, text: words::NO, code: Some(count), count, at_s: natural }); ROWS],
+            rows: [Some(Listed { severity, text: words::NO_FAULTS, code: Some(count), count, at_s: natural });
+                ROWS],
             // A list of 99 parts has 396 faults.
             position: 99,
             count: 99,
@@ -672,22 +674,34 @@ mod tests {
     }
 
     #[test]
-    fn every_state_of_the_controller_has_its_word() {
-        let states = [
-            CanState::Offline,
-            CanState::ErrorActive,
-            CanState::Warning,
-            CanState::ErrorPassive,
-            CanState::BusOff,
-        ];
+    fn every_state_in_a_table_has_a_word_that_fits() {
         let slot = &TABLE[HEAD + 1];
-        for state in states {
-            let (text, _) = words::can_state(state as i32).expect("a word");
+        let contactors = Contactor::ALL.iter().map(|&state| words::contactor(state));
+        let flags = Flag::ALL.iter().map(|&state| words::flag(state));
+        let answers = Confinement::ALL.iter().copied().map(Some);
+        let controllers = answers.chain([None]).map(words::confinement);
+        for (text, _) in contactors.chain(flags).chain(controllers) {
             for said in [text.zh, text.en] {
-                assert!(slot.font.width(said) <= slot.area.width, "{said}");
+                assert!(!said.is_empty() && slot.font.width(said) <= slot.area.width, "{said}");
             }
         }
-        assert_eq!(words::can_state(99), None);
+    }
+
+    #[test]
+    fn a_state_reads_on_the_panel_as_in_its_row() {
+        for &state in Contactor::ALL {
+            assert_eq!(words::contactor(state).0, Text { zh: state.zh(), en: state.en() });
+        }
+        for &state in Flag::ALL {
+            assert_eq!(words::flag(state).0, Text { zh: state.zh(), en: state.en() });
+        }
+        for &state in Plug::ALL {
+            assert_eq!(words::plug(state), Text { zh: state.zh(), en: state.en() });
+        }
+        for &state in Gear::ALL {
+            // The panel has one character for a gear: a forward gear of a gearbox is its figure.
+            assert!(state.word().ends_with(char::from(letter(state))), "{state:?}");
+        }
     }
 
     #[test]
@@ -706,7 +720,7 @@ mod tests {
     #[test]
     fn times_are_hours_minutes_and_seconds() {
         let row = |at_s, count| {
-            let listed = Listed { severity: Severity::Warn, text: words::NO, code: None, count, at_s };
+            let listed = Listed { severity: Severity::Warn, text: words::NO_FAULTS, code: None, count, at_s };
             detail(&listed)
         };
         let text = |text: &str| {

@@ -3,8 +3,8 @@
 use crate::theme::Ink;
 use cluster::page::{Count, Part};
 use cluster::view::Text;
-use protocol_core::link::CanState;
 use protocol_core::model::Value;
+use protocol_core::states::{Confinement, Contactor, Flag, Plug};
 
 /// Motor temperature.
 pub(crate) const MOTOR: Text = Text { zh: "电机", en: "Motor" };
@@ -66,14 +66,6 @@ pub(crate) const HOLD_TO_RESET: Text = text("长按按键清零", "Hold button: 
 
 /// Page of consumption and charging.
 pub(crate) const ENERGY: Text = text("能量", "Energy");
-/// A plug is inserted and nothing flows.
-pub(crate) const PLUGGED: Text = text("充电枪已插入", "Plugged in");
-/// The battery is being charged.
-pub(crate) const CHARGING: Text = text("正在充电", "Charging");
-/// Charging is complete.
-pub(crate) const CHARGED: Text = text("充电完成", "Charging complete");
-/// Charging has failed.
-pub(crate) const CHARGE_FAULT: Text = text("充电故障", "Charging failed");
 /// State of charge.
 pub(crate) const CHARGE: Text = text("电量", "Charge");
 /// Time until the battery is full.
@@ -104,19 +96,6 @@ pub(crate) const CELL_MIN: Text = text("最低单体", "Lowest cell");
 pub(crate) const TEMPERATURE_MAX: Text = text("最高温度", "Hottest");
 /// Lowest cell temperature.
 pub(crate) const TEMPERATURE_MIN: Text = text("最低温度", "Coldest");
-
-/// A contactor is open.
-pub(crate) const OPEN: Text = text("断开", "Open");
-/// A contactor is closed.
-pub(crate) const CLOSED: Text = text("闭合", "Closed");
-/// A contactor is welded.
-pub(crate) const WELDED: Text = text("粘连", "Welded");
-/// A contactor is faulty.
-pub(crate) const FAULTY: Text = text("故障", "Fault");
-/// A flag is not set.
-pub(crate) const NO: Text = text("否", "No");
-/// A flag is set.
-pub(crate) const YES: Text = text("是", "Yes");
 
 const fn text(zh: &'static str, en: &'static str) -> Text {
     Text { zh, en }
@@ -177,16 +156,43 @@ pub(crate) const fn count(count: Count) -> Text {
     }
 }
 
-/// Returns the word for a state of the CAN controller, and its ink.
-pub(crate) fn can_state(number: i32) -> Option<(Text, Ink)> {
-    let states = [
-        (CanState::Offline, text("离线", "Offline"), Ink::Red),
-        (CanState::ErrorActive, text("正常", "Active"), Ink::Primary),
-        (CanState::Warning, text("警告", "Warning"), Ink::Yellow),
-        (CanState::ErrorPassive, text("被动", "Passive"), Ink::Yellow),
-        (CanState::BusOff, text("关闭", "Bus off"), Ink::Red),
-    ];
-    states.into_iter().find(|(state, ..)| *state as i32 == number).map(|(_, text, ink)| (text, ink))
+/// Returns the title of the page of a plug that does this.
+pub(crate) const fn plug(plug: Plug) -> Text {
+    match plug {
+        Plug::Inserted => text("充电枪已插入", "Plugged in"),
+        Plug::Charging => text("正在充电", "Charging"),
+        Plug::Complete => text("充电完成", "Charging complete"),
+        Plug::Fault => text("充电故障", "Charging failed"),
+    }
+}
+
+/// Returns the word for a contactor, and its ink.
+pub(crate) const fn contactor(contactor: Contactor) -> (Text, Ink) {
+    match contactor {
+        Contactor::Open => (text("断开", "Open"), Ink::Secondary),
+        Contactor::Closed => (text("闭合", "Closed"), Ink::Accent),
+        Contactor::Welded => (text("粘连", "Welded"), Ink::Red),
+        Contactor::Fault => (text("故障", "Fault"), Ink::Red),
+    }
+}
+
+/// Returns the word for a flag, and its ink: those of the tables warn.
+pub(crate) const fn flag(flag: Flag) -> (Text, Ink) {
+    match flag {
+        Flag::No => (text("否", "No"), Ink::Secondary),
+        Flag::Yes => (text("是", "Yes"), Ink::Red),
+    }
+}
+
+/// Returns the short word for the fault confinement of the CAN controller, and its ink; `None` = it does not answer.
+pub(crate) const fn confinement(state: Option<Confinement>) -> (Text, Ink) {
+    match state {
+        None => (text("离线", "Offline"), Ink::Red),
+        Some(Confinement::ErrorActive) => (text("正常", "Active"), Ink::Primary),
+        Some(Confinement::Warning) => (text("警告", "Warning"), Ink::Yellow),
+        Some(Confinement::ErrorPassive) => (text("被动", "Passive"), Ink::Yellow),
+        Some(Confinement::BusOff) => (text("关闭", "Bus off"), Ink::Red),
+    }
 }
 
 /// Returns a text that is the same in both languages.

@@ -68,8 +68,7 @@ impl Random {
         maybe!(view.cell_celsius.1, self.shown(-60, 240, |v| v));
         maybe!(view.odometer_hectometres, self.below(20_000_000));
         maybe!(view.heartbeat, self.one_in(2));
-        let gears =
-            [None, Some(Gear::D), Some(Gear::R), Some(Gear::N), Some(Gear::P), Some(Gear::Forward(3))];
+        let gears = [None, Some(Gear::D), Some(Gear::R), Some(Gear::N), Some(Gear::P), Some(Gear::D3)];
         maybe!(view.gear, gears[self.below(6) as usize]);
         let severities = [Severity::None, Severity::Warn, Severity::Derate, Severity::Stop];
         maybe!(view.severity, severities[self.below(4) as usize]);

@@ -5,6 +5,9 @@
 //! the intermission, say) before time goes on. A wire that is cut leaves its node alone on a segment of its own, where
 //! it hears only itself and nobody acknowledges.
 //!
+//! Time never goes back, on any segment: what becomes possible late (a node recovers, joins or is told to send) starts
+//! then and not before, and a call with a time that is over ends the run with a panic.
+//!
 //! Modelled: arbitration by identifier, RTR and IDE bits; ACK from any other active node; error flags, delimiters and
 //! counters; error active, passive and bus-off; suspend transmission; recovery after 128 x 11 recessive bits; joining
 //! after 11 recessive bits. Not modelled: single bits on the wire (an error hits a frame at one chosen bit), overload
@@ -15,11 +18,10 @@
 use std::collections::VecDeque;
 
 use super::bits::{self, FrameBits};
-use super::event::{
-    Aborted, BusError, BusStats, ErrorCounters, ErrorState, Event, EventKind, NodeId, NodeMode, Tag,
-};
+use super::event::{Aborted, BusError, BusStats, ErrorCounters, Event, EventKind, NodeId, NodeMode, Tag};
 use super::frame::Frame;
 use crate::time::Nanos;
+use protocol_core::states::Confinement;
 
 /// Consecutive recessive bits after which a node may join, and of which 128 end bus-off.
 const BUS_IDLE: u32 = 11;
@@ -70,7 +72,7 @@ struct Node {
     presence: Presence,
     bitrate: u32,
     counters: ErrorCounters,
-    state: ErrorState,
+    state: Confinement,
     bus_off_at: Nanos,
     idles_to_recover: u32,
     suspended_until: Nanos,
@@ -81,12 +83,12 @@ struct Node {
 
 impl Node {
     fn takes_part(&self) -> bool {
-        self.presence == Presence::On && self.state != ErrorState::BusOff
+        self.presence == Presence::On && self.state != Confinement::BusOff
     }
 
     /// Its error flag destroys a frame for everybody.
     fn can_flag(&self) -> bool {
-        self.takes_part() && self.mode == NodeMode::Active && self.state == ErrorState::Active
+        self.takes_part() && self.mode == NodeMode::Active && self.state == Confinement::ErrorActive
     }
 }
 
@@ -156,6 +158,8 @@ pub struct Bus {
     segments: Vec<Segment>,
     events: VecDeque<Event>,
     stats: BusStats,
+    /// How far the bus has come: nothing happens before this any more.
+    now: Nanos,
 }
 
 impl Bus {
@@ -167,6 +171,7 @@ impl Bus {
             segments: vec![Segment::default()],
             events: VecDeque::new(),
             stats: BusStats::default(),
+            now: Nanos::ZERO,
         }
     }
 
@@ -197,7 +202,7 @@ impl Bus {
             presence: Presence::Off,
             bitrate: self.bitrate,
             counters: ErrorCounters::default(),
-            state: ErrorState::Active,
+            state: Confinement::ErrorActive,
             bus_off_at: Nanos::ZERO,
             idles_to_recover: 0,
             suspended_until: Nanos::ZERO,
@@ -219,7 +224,7 @@ impl Bus {
     }
 
     /// Fault confinement state of `node`.
-    pub fn state(&self, node: NodeId) -> ErrorState {
+    pub fn state(&self, node: NodeId) -> Confinement {
         self.nodes[node.0].state
     }
 
@@ -248,7 +253,8 @@ impl Bus {
         })
     }
 
-    /// Asks for `frame` to be sent, not before `ready_at` and after the node's earlier requests.
+    /// Asks for `frame` to be sent, not before `ready_at`, after the node's earlier requests and not in a time that is
+    /// over.
     ///
     /// It is tried again after lost arbitration and errors until it is sent or aborted.
     pub fn request(&mut self, node: NodeId, ready_at: Nanos, frame: Frame, tag: Tag) {
@@ -280,7 +286,11 @@ impl Bus {
     /// Changes how much `node` takes part; coming from off it first waits for 11 recessive bits.
     ///
     /// Going off in the middle of an own frame destroys that frame.
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn set_mode(&mut self, node: NodeId, now: Nanos, mode: NodeMode) {
+        self.come_to(now);
         if mode == NodeMode::Off {
             self.leave_transfer(node, now);
         }
@@ -302,7 +312,7 @@ impl Bus {
     pub fn reset_errors(&mut self, node: NodeId) {
         let state = &mut self.nodes[node.0];
         state.counters = ErrorCounters::default();
-        state.state = ErrorState::Active;
+        state.state = Confinement::ErrorActive;
     }
 
     /// Fault: the next `frames` frames of `node` each meet a bit error.
@@ -316,7 +326,11 @@ impl Bus {
     }
 
     /// Fault: the wire of `node` is cut; it is deaf and mute for the others and alone with itself.
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn cut(&mut self, node: NodeId, now: Nanos) {
+        self.come_to(now);
         if self.nodes[node.0].segment != 0 {
             return;
         }
@@ -326,7 +340,11 @@ impl Bus {
     }
 
     /// Ends [`Bus::cut`]; the node takes part again after 11 recessive bits.
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn mend(&mut self, node: NodeId, now: Nanos) {
+        self.come_to(now);
         let state = &mut self.nodes[node.0];
         if state.segment == 0 {
             return;
@@ -339,7 +357,11 @@ impl Bus {
     }
 
     /// Fault: the bus is stuck dominant (`true`) or free again (`false`).
+    ///
+    /// # Panics
+    /// If the bus has already come further than `now`.
     pub fn short(&mut self, now: Nanos, shorted: bool) {
+        self.come_to(now);
         let idle = self.span(BUS_IDLE);
         let first = self.span(STUCK_DOMINANT_FIRST);
         match (shorted, self.segments[0].shorted.is_some()) {
@@ -370,14 +392,21 @@ impl Bus {
         }
     }
 
-    /// The next event up to and including `now`; call until it gives `None`.
+    /// The next event up to and including `now`; call until it gives `None`. From then on the time up to `now` is over.
+    ///
+    /// # Panics
+    /// If an event lies before one that has been given: a fault of this model.
     pub fn poll(&mut self, now: Nanos) -> Option<Event> {
         loop {
             if let Some(event) = self.events.pop_front() {
                 return Some(event);
             }
             // Every action moves a frame on, raises a counter towards its end or lets a node in: this ends.
-            let (at, action, segment) = self.next_action().filter(|&(at, _, _)| at <= now)?;
+            let Some((at, action, segment)) = self.next_action().filter(|&(at, _, _)| at <= now) else {
+                self.now = self.now.max(now);
+                return None;
+            };
+            self.come_to(at);
             self.act(segment, at, action);
         }
     }
@@ -407,7 +436,14 @@ impl Bus {
         }
     }
 
+    /// Brings the bus to `at`: the check, in every run, that no frame is put onto a wire that has been heard empty.
+    fn come_to(&mut self, at: Nanos) {
+        assert!(at >= self.now, "bus time goes back: {at} after {}", self.now);
+        self.now = at;
+    }
+
     fn emit(&mut self, at: Nanos, node: NodeId, kind: EventKind) {
+        self.come_to(at);
         self.events.push_back(Event { at, node, kind });
     }
 
@@ -426,7 +462,9 @@ impl Bus {
             let loses = transfer.losers.front().map(|&(at, _)| (at, Action::LoseArbitration));
             return loses.into_iter().chain([(transfer.at, Action::Advance)]).min();
         }
-        self.members(index).filter_map(|(id, node)| self.node_action(segment, id, node)).min()
+        let next = self.members(index).filter_map(|(id, node)| self.node_action(segment, id, node)).min();
+        // A node that recovers, joins or is asked late finds the wire free for long: it starts now, not then.
+        next.map(|(at, action)| (at.max(self.now), action))
     }
 
     /// What `node` does next on an idle segment.
@@ -442,7 +480,7 @@ impl Bus {
         if node.presence == Presence::Off {
             return None;
         }
-        if node.state == ErrorState::BusOff {
+        if node.state == Confinement::BusOff {
             let from = node.bus_off_at.max(segment.recessive_since);
             return Some((from + self.span(BUS_IDLE * node.idles_to_recover), Action::Recover(id)));
         }
@@ -458,7 +496,7 @@ impl Bus {
             }
             Action::Recover(node) => {
                 self.reset_errors(node);
-                self.emit(at, node, EventKind::StateChanged { state: ErrorState::Active });
+                self.emit(at, node, EventKind::StateChanged { state: Confinement::ErrorActive });
             }
             Action::LoseArbitration => {
                 let transfer = self.segments[index].transfer.as_mut();
@@ -531,7 +569,7 @@ impl Bus {
     fn count_idles(&mut self, index: usize, until: Nanos) {
         let idle = self.span(BUS_IDLE).0.max(1);
         let recessive_since = self.segments[index].recessive_since;
-        for node in self.nodes.iter_mut().filter(|n| n.segment == index && n.state == ErrorState::BusOff) {
+        for node in self.nodes.iter_mut().filter(|n| n.segment == index && n.state == Confinement::BusOff) {
             let idles = until.since(recessive_since.max(node.bus_off_at)).0 / idle;
             // One is left at least: the recovery itself is an action of its own.
             let left = u64::from(node.idles_to_recover).saturating_sub(idles).max(1);
@@ -606,7 +644,7 @@ impl Bus {
     fn miss_acknowledge(&mut self, index: usize, at: Nanos) {
         let Some(transfer) = &self.segments[index].transfer else { return };
         let passive =
-            transfer.transmitters.iter().all(|node| self.nodes[node.0].state == ErrorState::Passive);
+            transfer.transmitters.iter().all(|node| self.nodes[node.0].state == Confinement::ErrorPassive);
         if !passive {
             return self.fault(index, at, BusError::Ack);
         }
@@ -631,7 +669,7 @@ impl Bus {
     fn fault(&mut self, index: usize, at: Nanos, error: BusError) {
         let Some(transfer) = self.segments[index].transfer.take() else { return };
         let silent_listener_survives = error == BusError::Ack
-            && transfer.transmitters.iter().all(|node| self.nodes[node.0].state == ErrorState::Passive);
+            && transfer.transmitters.iter().all(|node| self.nodes[node.0].state == Confinement::ErrorPassive);
         let flagging = self.members(index).filter(|(_, node)| node.can_flag()).count();
         let flags = if flagging > 1 { ERROR_FLAG + ERROR_ECHO } else { ERROR_FLAG };
         let end = at + self.span(flags + ERROR_DELIMITER + bits::INTERMISSION);
@@ -639,7 +677,7 @@ impl Bus {
         self.stats.error_frames += 1;
 
         for &node in &transfer.transmitters {
-            let was_passive = self.nodes[node.0].state == ErrorState::Passive;
+            let was_passive = self.nodes[node.0].state == Confinement::ErrorPassive;
             let tag = self.nodes[node.0].pending.front().map(|request| request.tag);
             self.emit(at, node, EventKind::Error { error, transmitting: tag });
             // Rule c: +8, except for an error-passive transmitter that only misses its acknowledge.
@@ -724,7 +762,7 @@ impl Bus {
     fn suspend_if_passive(&mut self, node: NodeId, end: Nanos) {
         let suspended = end + self.span(SUSPEND_TRANSMISSION);
         let state = &mut self.nodes[node.0];
-        if state.state == ErrorState::Passive {
+        if state.state == Confinement::ErrorPassive {
             state.suspended_until = suspended;
         }
     }
@@ -788,18 +826,18 @@ impl Bus {
     fn update_state(&mut self, node: NodeId, at: Nanos) {
         let state = &mut self.nodes[node.0];
         let next = match state.counters {
-            _ if state.state == ErrorState::BusOff => ErrorState::BusOff,
-            ErrorCounters { transmit, .. } if transmit > BUS_OFF_ABOVE => ErrorState::BusOff,
+            _ if state.state == Confinement::BusOff => Confinement::BusOff,
+            ErrorCounters { transmit, .. } if transmit > BUS_OFF_ABOVE => Confinement::BusOff,
             ErrorCounters { transmit, receive } if transmit.max(receive) > PASSIVE_ABOVE => {
-                ErrorState::Passive
+                Confinement::ErrorPassive
             }
-            _ => ErrorState::Active,
+            _ => Confinement::ErrorActive,
         };
         if next == state.state {
             return;
         }
         state.state = next;
-        if next == ErrorState::BusOff {
+        if next == Confinement::BusOff {
             (state.bus_off_at, state.idles_to_recover) = (at, RECOVERY_IDLES);
         }
         self.emit(at, node, EventKind::StateChanged { state: next });

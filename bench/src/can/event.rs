@@ -6,6 +6,7 @@
 use super::Bus;
 use super::frame::Frame;
 use crate::time::Nanos;
+use protocol_core::states::Confinement;
 
 /// A node on a [`Bus`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -24,17 +25,6 @@ pub enum NodeMode {
     ListenOnly,
     /// Hears, acknowledges, sends.
     Active,
-}
-
-/// Fault confinement state of a node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ErrorState {
-    /// Takes full part.
-    Active,
-    /// Takes part, but its error flags are recessive and it waits longer between its frames.
-    Passive,
-    /// Takes no part until 128 x 11 recessive bits have been seen.
-    BusOff,
 }
 
 /// What went wrong, as seen by the node that reports it.
@@ -102,8 +92,8 @@ pub enum EventKind {
     },
     /// The fault confinement state changed.
     StateChanged {
-        /// The new state.
-        state: ErrorState,
+        /// The new state; to the bus a node with a warning is error-active.
+        state: Confinement,
     },
     /// The node has seen 11 recessive bits and takes part from now on.
     Joined,

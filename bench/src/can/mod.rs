@@ -13,8 +13,7 @@ pub mod frame;
 pub mod traffic;
 
 pub use bus::Bus;
-pub use event::{
-    Aborted, BusError, BusStats, ErrorCounters, ErrorState, Event, EventKind, NodeId, NodeMode, Tag,
-};
+pub use event::{Aborted, BusError, BusStats, ErrorCounters, Event, EventKind, NodeId, NodeMode, Tag};
 pub use frame::{ExtendedId, Frame, Id, StandardId};
+pub use protocol_core::states::Confinement;
 pub use traffic::{LoadGenerator, Participant, Replay};

@@ -20,7 +20,7 @@ pub mod socketcan;
 pub mod terminal;
 pub mod wire;
 
-use crate::can::{Aborted, Bus, ErrorState, Event, Frame, NodeId, NodeMode, Participant, Tag};
+use crate::can::{Aborted, Bus, Confinement, Event, Frame, NodeId, NodeMode, Participant, Tag};
 use crate::chips::bench_board::BenchBoard;
 use crate::time::Nanos;
 use std::collections::VecDeque;
@@ -110,7 +110,7 @@ impl Port<'_> {
     }
 
     /// Fault confinement state of the tool's node.
-    pub fn state(&self) -> ErrorState {
+    pub fn state(&self) -> Confinement {
         self.bus.state(self.node)
     }
 

@@ -11,7 +11,7 @@
 use super::slcan::{Answer, Command, Flag, Line, Lines, stamp};
 use super::wire::{Outbox, Wire};
 use super::{Port, Tool};
-use crate::can::{ErrorState, Event, EventKind, NodeMode};
+use crate::can::{Confinement, Event, EventKind, NodeMode};
 use crate::time::Nanos;
 use std::io;
 
@@ -116,7 +116,7 @@ impl<W: Wire> Terminal<W> {
                 if port.is_warned() {
                     self.raise(Flag::Warning);
                 }
-                if port.state() != ErrorState::Active {
+                if port.state() != Confinement::ErrorActive {
                     self.raise(Flag::Passive);
                 }
                 Answer::Status(std::mem::take(&mut self.flags))
@@ -208,7 +208,7 @@ impl<W: Wire> Tool for Terminal<W> {
             }
             EventKind::Error { .. } => self.raise(Flag::BusError),
             EventKind::ArbitrationLost { .. } => self.raise(Flag::ArbitrationLost),
-            EventKind::StateChanged { state: ErrorState::Passive | ErrorState::BusOff } => {
+            EventKind::StateChanged { state: Confinement::ErrorPassive | Confinement::BusOff } => {
                 self.raise(Flag::Passive);
             }
             EventKind::Sent { .. }

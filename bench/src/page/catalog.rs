@@ -3,11 +3,14 @@
 //! Built from the vehicle's own tables of controls and readouts, from the tables of messages, and from two small tables
 //! of the page: presets (several settings at once) and faults of the bus wires. Refuses to know what a control leads to.
 
-use super::beside::{Wording, beside};
+use super::beside::beside;
 use super::scenes::{self, Scene};
 use super::trace::{self, Named};
 use super::wires::WIRES;
+use protocol_core::Value;
+use protocol_core::states::{self, State};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use virtual_vehicle::{Control, Group, Kind, Readout, Setting, Takes, VirtualVehicle};
 
 /// One word of a choice.
@@ -49,7 +52,8 @@ struct Truth {
     digits: u8,
     /// Name of the cluster's value of the same thing; empty = it has none.
     beside: &'static str,
-    wording: Option<Wording>,
+    /// Name of its kind of state; `None` = a number.
+    states: Option<&'static str>,
 }
 
 /// A vehicle to choose from.
@@ -132,6 +136,10 @@ pub(super) struct Catalog {
     initial: Vec<Setting>,
     presets: Vec<PresetName>,
     truths: Vec<Truth>,
+    /// The states of every kind.
+    states: BTreeMap<&'static str, &'static [State]>,
+    /// The kind of every value of the cluster that is a state.
+    values: BTreeMap<&'static str, &'static str>,
     scenarios: Vec<Scene>,
     messages: Vec<Named>,
 }
@@ -178,10 +186,15 @@ impl Catalog {
             truths: truths
                 .iter()
                 .map(|readout| {
-                    let (beside, wording) = beside(readout.path);
-                    let Readout { path, zh, en, unit, digits, .. } = *readout;
-                    Truth { path, zh, en, unit, digits, beside, wording }
+                    let Readout { path, zh, en, unit, digits, kind, .. } = *readout;
+                    let states = kind.map(|kind| kind.name);
+                    Truth { path, zh, en, unit, digits, beside: beside(path), states }
                 })
+                .collect(),
+            states: states::KINDS.iter().map(|kind| (kind.name, kind.states)).collect(),
+            values: Value::ALL
+                .iter()
+                .filter_map(|value| Some((value.path(), value.unit().kind()?.name)))
                 .collect(),
             scenarios: kind.map(scenes::list).unwrap_or_default(),
             messages: trace::messages(kind.map(Kind::name)),
@@ -270,6 +283,7 @@ const fn group_name(group: Group) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
     use virtual_vehicle::Options;
 
     #[test]
@@ -287,6 +301,37 @@ mod tests {
         let vehicles = Kind::ALL.map(|kind| VirtualVehicle::new(kind, Options::default()));
         for (path, _) in PRESETS.iter().flat_map(|preset| preset.settings) {
             assert!(vehicles.iter().any(|vehicle| has(vehicle, path)), "{path}");
+        }
+    }
+
+    #[test]
+    fn the_page_has_the_texts_of_every_state_and_the_kind_of_every_value() {
+        let around = Around { bench: 0, recording: None, notes: &[], bitrate: 250_000 };
+        let catalog = serde_json::to_value(Catalog::of(None, &around)).expect("a catalog");
+        for kind in states::KINDS {
+            let rows = &catalog["states"][kind.name];
+            assert_eq!(rows.as_array().map(Vec::len), Some(kind.states.len()), "{}", kind.name);
+            for (place, state) in kind.states.iter().enumerate() {
+                let State { number, word, zh, en, .. } = *state;
+                assert_eq!(rows[place], json!({ "number": number, "word": word, "zh": zh, "en": en }));
+            }
+        }
+        for value in Value::ALL {
+            let kind = catalog["values"][value.path()].as_str();
+            assert_eq!(kind, value.unit().kind().map(|kind| kind.name), "{}", value.path());
+        }
+    }
+
+    #[test]
+    fn the_page_types_no_text_of_a_state_again() {
+        let script = include_str!("page.js");
+        // A telltale is called as the charge state that lights it.
+        for kind in ["severity", "contactor", "run", "missing", "confinement"] {
+            let kind = states::KINDS.iter().find(|known| known.name == kind).expect("a kind");
+            for state in kind.states {
+                let pair = format!("[\"{}\", \"{}\"]", state.zh, state.en);
+                assert!(!script.to_lowercase().contains(&pair.to_lowercase()), "page.js has {pair}");
+            }
         }
     }
 

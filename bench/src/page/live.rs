@@ -8,7 +8,6 @@ use super::recording::Length;
 use super::scenes::Story;
 use super::trace::BusUpdate;
 use super::wires::Wires;
-use crate::can::ErrorState;
 use crate::chips::panel::BACKLIGHT_FULL;
 use crate::rig::Rig;
 use crate::time::Nanos;
@@ -56,7 +55,7 @@ pub(super) struct State<'a> {
     counts: [u64; 3],
     /// Part of the time in which the bus was busy since the last update, 0 to 1.
     load: f64,
-    /// Fault confinement of the cluster's controller, and its error counters.
+    /// Fault confinement of the cluster's controller by its word, and its error counters.
     controller: (&'static str, u16, u16),
     /// Back-light, 0 to 1.
     backlight: f64,
@@ -119,7 +118,7 @@ impl<'a> State<'a> {
             capability: pace.capability(),
             counts: [counts.on_bus, counts.received, counts.lost],
             load,
-            controller: (state_name(bus.state(controller)), errors.transmit, errors.receive),
+            controller: (bus.state(controller).word(), errors.transmit, errors.receive),
             backlight: f64::from(board.panel().backlight()) / f64::from(BACKLIGHT_FULL),
             tones,
             settings: vehicle
@@ -166,14 +165,6 @@ fn line_of(line: &ScreenLine) -> Line {
     let words = own.chain(faults).find(|(_, en)| text_id(en) == line.text);
     let (zh, en) = words.unwrap_or(("其他提示", "Another message"));
     Line { zh, en, code: line.code, severity: line.severity, position: line.position, count: line.count }
-}
-
-const fn state_name(state: ErrorState) -> &'static str {
-    match state {
-        ErrorState::Active => "active",
-        ErrorState::Passive => "passive",
-        ErrorState::BusOff => "bus_off",
-    }
 }
 
 #[cfg(test)]

@@ -40,9 +40,6 @@ const WORDS = {
   received: ["固件收到", "Received"],
   lost: ["丢失", "Lost"],
   controller: ["控制器", "Controller"],
-  active: ["错误主动", "error active"],
-  passive: ["错误被动", "error passive"],
-  bus_off: ["总线关闭", "bus-off"],
   view: ["视图", "View"],
   by_id: ["标识符", "By id"],
   stream: ["逐帧", "Stream"],
@@ -100,18 +97,6 @@ const LAMPS = {
   NoCommunication: ["通信中断", "No communication"],
 };
 
-/** How truths are worded that are no quantities, by their value. */
-const TRUTHS = {
-  flag: { 0: ["否", "no"], 1: ["是", "yes"] },
-  gear: { "-1": ["–", "–"], 0: ["N", "N"], 1: ["D", "D"], 2: ["R", "R"], 3: ["P", "P"] },
-  severity: { 0: ["无", "none"], 1: ["报警", "warn"], 2: ["降额", "derate"], 3: ["停车", "stop"] },
-  charge: { 0: ["未充电", "not charging"], 1: ["充电中", "charging"], 2: ["充满", "complete"], 3: ["故障", "fault"] },
-  contactor: { 0: ["断开", "open"], 1: ["闭合", "closed"] },
-};
-/** Words of the firmware's report, in Chinese. */
-const REPORTED = { yes: "是", no: "否", none: "无", warn: "报警", derate: "降额", stop: "停车", open: "断开", closed: "闭合", welded: "粘连", fault: "故障",
-  stopped: "停止", running: "运行", "not charging": "未充电", charging: "充电中", complete: "充满", low: "低", medium: "中", high: "高", off: "关", invalid: "无效", stale: "中断" };
-
 const KEYS = [
   [["↑"], ["按住加速", "hold: accelerate"]], [["↓"], ["按住制动", "hold: brake"]],
   [["←", "→"], ["在所选的一组内移动", "move within the group, the slider or the list that has the focus"]],
@@ -152,6 +137,8 @@ const word = key => pick(WORDS[key]);
 const named = thing => thing[language];
 /** A number of things; the third word is English for more or less than one. */
 const counted = (number, key) => `${number} ${number !== 1 && language === "en" ? WORDS[key][2] : word(key)}`;
+/** The state of a kind that is written with this word; how a value is missing is a state too. */
+const stateOf = (kind, text) => [...catalog.states[kind] ?? [], ...catalog.states.missing].find(state => state.word === text);
 
 /** Makes an element: tag, properties (class, on..., data and aria as they are), children. */
 function make(tag, properties = {}, ...children) {
@@ -555,8 +542,8 @@ function buildTruths() {
 function showValues(message) {
   truthCells.forEach(({ truth, cell }, index) => {
     const value = message.truths[index];
-    const wording = TRUTHS[truth.wording]?.[value];
-    write(cell, value === undefined || value === null ? "–" : wording ? pick(wording) : `${value.toFixed(truth.digits)} ${truth.unit}`.trim());
+    const state = truth.states && catalog.states[truth.states].find(state => state.number === value);
+    write(cell, state ? named(state) : truth.states || value === undefined || value === null ? "–" : `${value.toFixed(truth.digits)} ${truth.unit}`.trim());
   });
   for (const [path, text] of message.shown) {
     let cell = shownCells.get(path);
@@ -565,7 +552,8 @@ function showValues(message) {
       shownCells.set(path, cell);
       $("truths").append(make("tr", { "data-path": path }, make("td", {}, make("span", { class: "path" }, path)), make("td", { class: "only" }, "–"), cell));
     }
-    write(cell, language === "zh" ? REPORTED[text] ?? text : text);
+    const state = stateOf(catalog.values[path], text);
+    write(cell, state ? named(state) : text);
   }
   const lit = message.lamps.map(([name, colour]) => `${name} ${colour}`).join();
   if ($("lamps").dataset.lit !== lit + language) {
@@ -678,7 +666,7 @@ function showBus(message) {
   write($("lost"), String(message.counts[2]));
   $("load").value = message.load; write($("load-text"), Math.round(message.load * 100) + " %");
   const [confinement, transmit, receive] = message.controller;
-  write($("controller"), confinement === "active" && !transmit && !receive ? "" : `${word("controller")}: ${word(confinement)} · TEC ${transmit} · REC ${receive}`);
+  write($("controller"), confinement === "error_active" && !transmit && !receive ? "" : `${word("controller")}: ${named(stateOf("confinement", confinement))} · TEC ${transmit} · REC ${receive}`);
   let grown = false;
   for (const [id, count, at, period, data, changed, ours] of bus.rows) {
     let row = busRows.get(id);

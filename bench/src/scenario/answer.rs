@@ -5,8 +5,9 @@
 
 use protocol_core::Value;
 use protocol_core::link::Sample;
-use protocol_core::model::Severity;
+use protocol_core::model::{Missing, Severity, Shown};
 use std::fmt;
+use virtual_vehicle::Readout;
 
 /// Numbers closer together than this are the same: decimals of a file are no binary fractions.
 const SAME: f64 = 1e-6;
@@ -73,25 +74,36 @@ impl Answer {
 
     /// Returns a value as a person reads it.
     pub fn of_sample(sample: Sample, value: Value) -> Self {
-        match sample {
-            Sample::Never => Self::word("never"),
-            Sample::Stale => Self::word("stale"),
-            Sample::Invalid => Self::word("invalid"),
-            Sample::Value(counts) => {
+        Self::of_shown(sample.into(), |counts| match value.unit().kind() {
+            Some(kind) => {
+                kind.of_number(counts).map_or(Self::Number(counts.into()), |state| Self::word(state.word))
+            }
+            None => {
                 let text = value.unit().show(counts).to_string();
                 let number = text.split(' ').next().and_then(|number| number.parse().ok());
                 number.map_or(Self::Word(text), Self::Number)
             }
+        })
+    }
+
+    /// Returns what is true in the vehicle: a number, or a state's word.
+    pub fn of_truth(truth: Option<Readout>) -> Self {
+        match truth {
+            None => Self::word(Missing::Never.word()),
+            Some(Readout { kind: None, value, .. }) => Self::Number(value),
+            Some(truth) => Self::word(truth.state().map_or(Missing::Invalid.word(), |state| state.word)),
         }
     }
 
     /// Returns a shown number.
     pub fn of_number(sample: Sample) -> Self {
-        match sample {
-            Sample::Value(number) => Self::Number(f64::from(number)),
-            Sample::Never => Self::word("never"),
-            Sample::Stale => Self::word("stale"),
-            Sample::Invalid => Self::word("invalid"),
+        Self::of_shown(sample.into(), |number| Self::Number(number.into()))
+    }
+
+    fn of_shown(shown: Shown<i32>, of_value: impl FnOnce(i32) -> Self) -> Self {
+        match (shown.value(), shown.missing()) {
+            (Some(value), _) => of_value(value),
+            (None, missing) => Self::word(missing.unwrap_or(Missing::Never).word()),
         }
     }
 }
@@ -127,23 +139,6 @@ impl WantedLine {
     }
 }
 
-/// Returns the word of a severity in scenario files.
-pub(super) fn severity_word(severity: Severity) -> &'static str {
-    match severity {
-        Severity::None => "none",
-        Severity::Warn => "warn",
-        Severity::Derate => "derate",
-        Severity::Stop => "stop",
-    }
-}
-
-/// Returns the severity of a word.
-pub(super) fn severity_of(word: &str) -> Option<Severity> {
-    [Severity::None, Severity::Warn, Severity::Derate, Severity::Stop]
-        .into_iter()
-        .find(|severity| severity_word(*severity) == word)
-}
-
 impl fmt::Display for Answer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -152,7 +147,7 @@ impl fmt::Display for Answer {
             Self::Pause(sound) => write!(f, "{sound} or none"),
             Self::Line(None) => f.write_str("none"),
             Self::Line(Some(line)) => {
-                write!(f, "{} ", severity_word(line.severity))?;
+                write!(f, "{} ", line.severity.word())?;
                 if let Some(code) = line.code {
                     write!(f, "{code} ")?;
                 }
@@ -170,7 +165,7 @@ impl fmt::Display for Wanted {
             Self::Range(low, high) => write!(f, "{low} to {high}"),
             Self::Words(words) => f.write_str(&words.join(" or ")),
             Self::Line(line) => {
-                let severity = line.severity.map(|severity| severity_word(severity).to_owned());
+                let severity = line.severity.map(|severity| severity.word().to_owned());
                 let code = line.code.map(|code| code.map_or("no code".into(), |code| code.to_string()));
                 let text = line.text.as_ref().map(|text| format!("\"{text}\""));
                 let count = line.count.map(|count| format!("(1 of {count})"));
@@ -203,7 +198,7 @@ mod tests {
         assert_eq!(answer(Value::BatterySoc, 453), Answer::Number(45.3));
         assert_eq!(answer(Value::ContactorMain, 2), Answer::word("welded"));
         assert_eq!(answer(Value::VehicleReady, 1), Answer::word("yes"));
-        assert_eq!(answer(Value::ChargeState, 0), Answer::word("not charging"));
+        assert_eq!(answer(Value::ChargeState, 0), Answer::word("idle"));
         assert!(Wanted::Number(45.3).fits(&answer(Value::BatterySoc, 453)));
         assert!(!Wanted::Number(45.3).fits(&answer(Value::BatterySoc, 454)));
         assert!(Wanted::Range(45.0, 45.3).fits(&answer(Value::BatterySoc, 453)));

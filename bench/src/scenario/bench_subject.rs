@@ -3,7 +3,7 @@
 //! What is shown comes from the PC link's records, what is sent from the bus, the sound from the buzzer's pin, pictures
 //! from the panel's memory. Nothing is asked of the firmware that it does not tell a person or a computer anyway.
 
-use super::answer::{FoundLine, severity_word};
+use super::answer::FoundLine;
 use super::host_subject::{Transmitted, gear, page};
 use super::name::{line_texts, snake};
 use super::sound::{self, LONGEST_PAUSE_MS};
@@ -169,21 +169,20 @@ impl Subject for BenchSubject {
         };
         Some(match name {
             Name::Speed => shown(&|screen| Answer::of_number(screen.speed_kmh)),
-            Name::Gear => shown(&|screen| gear(Gear::from_model(screen.gear.into()))),
+            Name::Gear => shown(&|screen| gear(Gear::from_number(screen.gear.into()))),
             Name::Odometer => shown(&|screen| Answer::Number(f64::from(screen.odometer_hectometres) / 10.0)),
             Name::Line => shown(&|screen| Answer::Line(screen.line.map(|line| self.line(line)))),
             Name::Severity => shown(&|screen| {
                 let severity = screen.line.map_or(0, |line| line.severity);
-                Answer::word(severity_word(Severity::from_model(severity.into())))
+                Answer::word(Severity::from_model(severity.into()).word())
             }),
             Name::Lamp(lamp) => shown(&|screen| {
                 Answer::word(if screen.telltales >> *lamp as u8 & 1 != 0 { "on" } else { "off" })
             }),
             Name::Value(value) => Answer::of_sample(self.rig.value(*value), *value),
             Name::Sent(signal) => self.sent.answer(signal, self.rig.now().as_micros() / 1_000),
-            Name::Truth(path) => {
-                let truth = self.rig.vehicle().and_then(|vehicle| vehicle.readout(path));
-                truth.map_or_else(|| Answer::word("never"), Answer::Number)
+            Name::Truth { path, .. } => {
+                Answer::of_truth(self.rig.vehicle().and_then(|vehicle| vehicle.readout(path)))
             }
             Name::Health(field) => health(self.rig.health(), field),
             Name::Sound => self.sound_at(self.rig.now().as_micros() / 1_000),

@@ -3,17 +3,17 @@
 //! TOML, one row per step; bench/scenarios/README.md has the format. Steps stand in the order of time. What cannot be
 //! done or looked at in this vehicle is refused here, before anything runs.
 
-use super::answer::severity_of;
 use super::name::line_texts;
 use super::{Act, Action, BusFault, Demand, Name, Place, Scenario, Wanted};
 use crate::can::{Frame, Id};
 use crate::scenario::answer::WantedLine;
 use anyhow::{Context, Result, bail};
 use cluster::Button;
+use protocol_core::Severity;
 use serde::Deserialize;
 use std::path::Path;
 use toml::{Spanned, Table, Value};
-use virtual_vehicle::{Cycles, Kind, Options, VirtualVehicle, control};
+use virtual_vehicle::{ControlError, Cycles, Kind, Options, VirtualVehicle, control};
 
 /// Time that what is shown may take, in seconds: the link's records come every 200 ms and take 50 ms on the wire.
 const WITHIN_S: f64 = 0.3;
@@ -305,6 +305,10 @@ impl Reader<'_> {
         };
         match control.read(&text) {
             Ok(setting) => Some(Action::Set { path: path.to_owned(), setting }),
+            Err(error @ ControlError::Spelling { .. }) => {
+                self.fail(error.to_string());
+                None
+            }
             Err(error) => {
                 self.fail(format!("{error}, not `{text}`"));
                 None
@@ -357,6 +361,9 @@ impl Reader<'_> {
             if free || answers.words.iter().any(|known| known == word) {
                 return Ok(word.to_owned());
             }
+            if let Some(spelling) = answers.spelling(word) {
+                return Err(spelling);
+            }
             let mut there = answers.words.clone();
             if answers.numbers {
                 there.push("a number, [from, to]".into());
@@ -381,7 +388,10 @@ impl Reader<'_> {
                 words.collect::<Result<_, _>>().map(Wanted::Words)
             }
             _ if !answers.numbers => {
-                Err(format!("`{name}` is no number; it is one of {}", answers.words.join(", ")))
+                let state = value.as_integer().and_then(|number| answers.spelling(&number.to_string()));
+                let is_no_number =
+                    || format!("`{name}` is no number; it is one of {}", answers.words.join(", "));
+                Err(state.unwrap_or_else(is_no_number))
             }
             Value::Array(items) => match items[..] {
                 [ref low, ref high] => match (number(low), number(high)) {
@@ -405,10 +415,10 @@ impl Reader<'_> {
                 ("code", Value::String(none)) if none == "none" => line.code = Some(None),
                 ("code", value) if small(value).is_some() => line.code = Some(small(value)),
                 ("severity", Value::String(word)) => {
-                    let severity = severity_of(word);
-                    line.severity = Some(
-                        severity.ok_or("the severity of a line is none, warn, derate or stop".to_owned())?,
-                    );
+                    let words = || Severity::ALL.iter().map(|severity| severity.word()).collect::<Vec<_>>();
+                    let severity = Severity::from_word(word);
+                    let wrong = || format!("the severity of a line is one of {}", words().join(", "));
+                    line.severity = Some(severity.ok_or_else(wrong)?);
                 }
                 ("count", value) if small(value).is_some_and(|count| count < 256) => {
                     line.count = small(value).map(|count| count as u8);

@@ -3,7 +3,7 @@
 //! Does what the firmware's tick does, without a chip: it finds out which vehicle it is, takes its own wires from the
 //! vehicle's body, sends once the vehicle is certain, and says what it knows of itself. There is no bus: a fault of the bus is nothing but silence, and frames take no time.
 
-use super::answer::{FoundLine, severity_word};
+use super::answer::FoundLine;
 use super::name::{PAGES, Signal, snake};
 use super::{Action, Answer, BusFault, Name, Place, Subject};
 use anyhow::Result;
@@ -136,9 +136,7 @@ impl Subject for HostSubject {
             Name::Gear => gear(view.gear),
             Name::Odometer => Answer::Number(f64::from(view.odometer_hectometres) / 10.0),
             Name::Line => Answer::Line(view.line.map(found)),
-            Name::Severity => {
-                Answer::word(severity_word(view.line.map(|line| line.severity).unwrap_or_default()))
-            }
+            Name::Severity => Answer::word(view.line.map(|line| line.severity).unwrap_or_default().word()),
             Name::Lamp(lamp) => Answer::word(if view.telltales.is_lit(*lamp) { "on" } else { "off" }),
             Name::Countdown => view.hv_off_s.map_or(Answer::word("none"), |s| Answer::Number(s.into())),
             Name::Limp => match view.limp.map(|limp| limp.limit_deciamps) {
@@ -149,9 +147,7 @@ impl Subject for HostSubject {
             Name::Page => page(view.page.number()),
             Name::Value(value) => Answer::of_sample(self.cluster.shown(*value, self.now()).into(), *value),
             Name::Sent(signal) => self.sent.answer(signal, self.now_ms),
-            Name::Truth(path) => {
-                self.vehicle.readout(path).map_or_else(|| Answer::word("never"), Answer::Number)
-            }
+            Name::Truth { path, .. } => Answer::of_truth(self.vehicle.readout(path)),
             Name::Sound => self.sound_at(self.now_ms),
             Name::Health(_) | Name::Picture => return None,
         })
@@ -203,11 +199,7 @@ impl Transmitted {
 }
 
 pub(super) fn gear(gear: Option<Gear>) -> Answer {
-    Answer::Word(match gear {
-        None => "none".into(),
-        Some(Gear::Forward(number)) => number.to_string(),
-        Some(gear) => format!("{gear:?}"),
-    })
+    Answer::word(gear.map_or("none", Gear::word))
 }
 
 pub(super) fn page(number: u8) -> Answer {

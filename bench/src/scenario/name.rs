@@ -3,16 +3,16 @@
 //! Owns the names and what each can be answered with, so that a misspelt expectation is an error and not a failure.
 //! Refuses to know how a subject finds the answer.
 
-use super::answer::severity_word;
 use super::sound;
 use cluster::{Telltale, texts};
 use protocol_core::codec::{MessageInfo, SignalInfo};
 use protocol_core::generated::{MESSAGES, VEHICLES};
 use protocol_core::link::Health;
-use protocol_core::model::{Severity, Unit};
+use protocol_core::model::{Gear, Missing, Severity};
+use protocol_core::states::{self, Confinement};
 use protocol_core::{Value, Vehicle};
 use std::fmt;
-use virtual_vehicle::{Kind, VirtualVehicle};
+use virtual_vehicle::{Kind, Readout, VirtualVehicle};
 
 /// Something to look at.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +42,12 @@ pub enum Name {
     /// A signal that the cluster sends.
     Sent(Signal),
     /// A readout of the virtual vehicle.
-    Truth(String),
+    Truth {
+        /// Its name.
+        path: &'static str,
+        /// What kind of state it is; `None` = a number.
+        kind: Option<states::Kind>,
+    },
     /// A field of the firmware's health record.
     Health(String),
     /// The whole panel, against a golden picture.
@@ -73,14 +78,22 @@ impl Signal {
 /// Pages of the screen, in the order of their numbers; all from the last on are technical.
 pub(super) const PAGES: [&str; 7] = ["main", "trip_a", "trip_b", "energy", "faults", "history", "technic"];
 
-const MISSING: [&str; 3] = ["never", "stale", "invalid"];
-
 /// What a name can be answered with.
 pub(super) struct Answers {
     /// Numbers.
     pub(super) numbers: bool,
     /// These words.
     pub(super) words: Vec<String>,
+    /// The kind of state whose words are among them.
+    pub(super) kind: Option<states::Kind>,
+}
+
+impl Answers {
+    /// Says how somebody has to write who writes a state as it is known elsewhere.
+    pub(super) fn spelling(&self, text: &str) -> Option<String> {
+        let meant = self.kind?.meant_by(text)?;
+        Some(format!("`{text}` is written `{}` here", meant.word))
+    }
 }
 
 impl Name {
@@ -114,10 +127,11 @@ impl Name {
             }
             "sent" => signal(rest, kind).map(Self::Sent),
             "truth" => {
-                let paths = readouts(kind);
-                if paths.contains(&rest) {
-                    return Ok(Self::Truth(rest.to_owned()));
+                let readouts = readouts(kind);
+                if let Some(&Readout { path, kind, .. }) = readouts.iter().find(|one| one.path == rest) {
+                    return Ok(Self::Truth { path, kind });
                 }
+                let paths: Vec<&str> = readouts.iter().map(|readout| readout.path).collect();
                 Err(format!("{} has no truth `{rest}`; there are {}", kind.name(), paths.join(", ")))
             }
             "health" => {
@@ -147,43 +161,44 @@ impl Name {
     /// Returns what it can be answered with.
     pub(super) fn answers(&self) -> Answers {
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+        let missing = || Missing::ALL.iter().map(|missing| missing.word().to_owned()).collect::<Vec<_>>();
+        let kind = match self {
+            Self::Gear => Some(Gear::KIND),
+            Self::Severity => Some(Severity::KIND),
+            Self::Value(value) => value.unit().kind(),
+            Self::Truth { kind, .. } => *kind,
+            _ => None,
+        };
+        let states = || {
+            let states = kind.map(|kind| kind.states).unwrap_or_default();
+            states.iter().map(|state| state.word.to_owned()).collect::<Vec<_>>()
+        };
         let (numbers, words) = match self {
-            Self::Speed => (true, words(&MISSING)),
-            Self::Gear => (false, words(&["none", "D", "R", "N", "P", "1", "2", "3", "4", "5", "6"])),
+            Self::Speed => (true, missing()),
+            Self::Gear => (false, [words(&["none"]), states()].concat()),
             Self::Odometer => (true, words(&["never"])),
             Self::Line => (false, words(&["none"])),
-            Self::Severity => {
-                let all = [Severity::None, Severity::Warn, Severity::Derate, Severity::Stop];
-                (false, words(&all.map(severity_word)))
-            }
+            Self::Severity => (false, states()),
             Self::Lamp(_) => (false, words(&["off", "on", "never"])),
             Self::Sound => (false, sound::words().map(str::to_owned).collect()),
             Self::Countdown => (true, words(&["none"])),
             Self::Limp => (true, words(&["none", "unknown"])),
             Self::Page => (false, words(&PAGES)),
-            Self::Value(value) => {
-                let mut all = words(&MISSING);
-                all.extend(unit_words(value.unit()));
-                (takes_numbers(value.unit()), all)
-            }
+            Self::Value(_) | Self::Truth { .. } => (kind.is_none(), [missing(), states()].concat()),
             Self::Sent(signal) => {
-                let mut all = words(&MISSING);
+                let mut all = missing();
                 all.extend(signal.info().values.iter().map(|(_, word)| (*word).to_owned()));
                 (true, all)
             }
-            Self::Truth(_) => (true, words(&MISSING)),
             Self::Health(_) => {
-                let states = ["offline", "error_active", "warning", "error_passive", "bus_off"];
-                (
-                    true,
-                    words(
-                        &[&states[..], &["unknown", "power", "pin", "watchdog", "panic", "never"]].concat(),
-                    ),
-                )
+                let mut all = words(&["unknown", "power", "pin", "watchdog", "panic", "never"]);
+                let confinement = Confinement::ALL.iter().map(|state| state.word());
+                all.extend(confinement.chain([Confinement::OFFLINE]).map(str::to_owned));
+                (true, all)
             }
             Self::Picture => (false, Vec::new()),
         };
-        Answers { numbers, words }
+        Answers { numbers, words, kind }
     }
 }
 
@@ -193,7 +208,7 @@ impl fmt::Display for Name {
             Self::Lamp(lamp) => write!(f, "lamp.{}", snake(lamp)),
             Self::Value(value) => f.write_str(value.path()),
             Self::Sent(signal) => write!(f, "sent.{}.{}", signal.message.name, signal.info().name),
-            Self::Truth(path) => write!(f, "truth.{path}"),
+            Self::Truth { path, .. } => write!(f, "truth.{path}"),
             Self::Health(field) => write!(f, "health.{field}"),
             other => f.write_str(&snake(other)),
         }
@@ -245,9 +260,8 @@ fn signal(rest: &str, kind: Kind) -> Result<Signal, String> {
     Ok(Signal { message, index })
 }
 
-fn readouts(kind: Kind) -> Vec<&'static str> {
-    let vehicle = VirtualVehicle::new(kind, virtual_vehicle::Options::default());
-    vehicle.readouts().iter().map(|readout| readout.path).collect()
+fn readouts(kind: Kind) -> Vec<Readout> {
+    VirtualVehicle::new(kind, virtual_vehicle::Options::default()).readouts()
 }
 
 /// The names of the record's fields are the record's own.
@@ -256,20 +270,6 @@ fn health_fields() -> Vec<String> {
         Ok(serde_json::Value::Object(fields)) => fields.keys().cloned().collect(),
         _ => Vec::new(),
     }
-}
-
-fn takes_numbers(unit: Unit) -> bool {
-    unit_words(unit).is_empty() || unit == Unit::Gear
-}
-
-/// Words that values of this unit are shown as; none for plain numbers.
-fn unit_words(unit: Unit) -> Vec<String> {
-    let shown = (-1..=16).map(|counts| unit.show(counts).to_string());
-    let is_number = |text: &str| text.split(' ').next().is_some_and(|first| first.parse::<f64>().is_ok());
-    let mut words: Vec<String> = shown.filter(|text| !is_number(text)).collect();
-    words.sort();
-    words.dedup();
-    words
 }
 
 #[cfg(test)]
@@ -297,6 +297,44 @@ mod tests {
                 Err(error) => assert!(name.starts_with("sent."), "{error}"),
             }
         }
+    }
+
+    #[test]
+    fn a_state_is_answered_with_its_words_and_never_with_a_number() {
+        let mut states = 0;
+        for &value in Value::ALL {
+            let answers = Name::Value(value).answers();
+            let Some(kind) = value.unit().kind() else {
+                assert!(answers.numbers && answers.kind.is_none(), "{}", value.path());
+                continue;
+            };
+            states += 1;
+            assert!(!answers.numbers, "{}", value.path());
+            for state in kind.states {
+                assert!(
+                    answers.words.iter().any(|word| word == state.word),
+                    "{} {}",
+                    value.path(),
+                    state.word
+                );
+            }
+        }
+        assert!(states > 40);
+    }
+
+    #[test]
+    fn a_state_written_as_it_is_known_elsewhere_is_told_with_its_word() {
+        let spelling = |name: &str, text: &str| {
+            let name = Name::read(name, Kind::Citybus).unwrap_or_else(|error| panic!("{error}"));
+            name.answers().spelling(text)
+        };
+        let written = |text: &str, word: &str| Some(format!("`{text}` is written `{word}` here"));
+        assert_eq!(spelling("charge.state", "not charging"), written("not charging", "idle"));
+        assert_eq!(spelling("vehicle.mode", "5"), written("5", "limp"));
+        assert_eq!(spelling("body.key", "accessory"), written("accessory", "acc"));
+        assert_eq!(spelling("truth.vcu.ready", "1"), written("1", "yes"));
+        assert_eq!(spelling("charge.state", "chargeing"), None, "a slip is no spelling");
+        assert_eq!(spelling("battery.soc", "1"), None);
     }
 
     #[test]

@@ -136,7 +136,7 @@ impl Control {
             (Takes::Flag, "off" | "false") => Some(0.0),
             (Takes::Choice(words), text) => match words.iter().position(|word| word.word == text) {
                 Some(index) => Some(index as f64),
-                None => return Err(ControlError::Range { path: self.path, takes: self.range() }),
+                None => return Err(self.misspelt(words, text)),
             },
             (_, text) => match text.parse::<f64>() {
                 Ok(number) => Some(number),
@@ -144,6 +144,16 @@ impl Control {
             },
         };
         self.check(setting).map(|()| setting)
+    }
+
+    /// Says what is wrong with a word: that it is spelt otherwise, or what there is instead.
+    fn misspelt(&self, words: &[Word], text: &str) -> ControlError {
+        let is_meant =
+            |word: &&Word| [word.word, word.zh, word.en].iter().any(|face| face.eq_ignore_ascii_case(text));
+        match words.iter().find(is_meant) {
+            Some(Word { word, .. }) => ControlError::Spelling { path: self.path, text: text.into(), word },
+            None => ControlError::Range { path: self.path, takes: self.range() },
+        }
     }
 
     /// Says what the control takes: `0..100 %`, `off or on`, `D, N or R`.
@@ -169,6 +179,15 @@ pub enum ControlError {
         /// The control whose name is nearest.
         nearest: Option<&'static str>,
     },
+    /// The control has the word, but spells it otherwise.
+    Spelling {
+        /// The control.
+        path: &'static str,
+        /// What was written.
+        text: String,
+        /// How it is written.
+        word: &'static str,
+    },
     /// The control does not take this.
     Range {
         /// The control.
@@ -187,6 +206,7 @@ impl fmt::Display for ControlError {
             Self::Unknown { path, vehicle, nearest: None } => {
                 write!(f, "{vehicle} has no control `{path}`; `cargo xtask vehicle --list` shows all")
             }
+            Self::Spelling { path, text, word } => write!(f, "`{text}` is written `{word}` in `{path}`"),
             Self::Range { path, takes } => write!(f, "`{path}` takes {takes}"),
         }
     }

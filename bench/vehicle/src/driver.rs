@@ -63,36 +63,35 @@ fn pedals(world: &mut World, target: f64, speed: f64, ready: bool) -> (f64, f64)
 
 const PERCENT: Takes = Takes::Number { min: 0.0, max: 100.0, step: 1.0, unit: "%" };
 
-const KEYS: &[Word] = &[
-    Word { word: "lock", zh: "锁止", en: "Lock" },
-    Word { word: "accessory", zh: "附件", en: "Accessory" },
-    Word { word: "on", zh: "接通", en: "On" },
-    Word { word: "start", zh: "起动", en: "Start" },
-];
+const KEYS: &[Word] = &[key(Key::Lock), key(Key::Accessory), key(Key::On), key(Key::Start)];
 
-const GEARS: &[Word] = &[
-    Word { word: "N", zh: "空挡", en: "Neutral" },
-    Word { word: "D", zh: "前进挡", en: "Drive" },
-    Word { word: "R", zh: "倒挡", en: "Reverse" },
-    Word { word: "P", zh: "驻车挡", en: "Park" },
-];
+const fn key(key: Key) -> Word {
+    Word { word: key.word(), zh: key.zh(), en: key.en() }
+}
+
+/// What a lever has, in the order of the words of its control; P is the last, for it is not on every lever.
+const LEVER: [Gear; 4] = [Gear::N, Gear::D, Gear::R, Gear::P];
+const GEARS: &[Word] = &[gear(LEVER[0]), gear(LEVER[1]), gear(LEVER[2]), gear(LEVER[3])];
+
+const fn gear(gear: Gear) -> Word {
+    Word { word: gear.word(), zh: gear.zh(), en: gear.en() }
+}
 
 fn get_key(world: &World) -> Setting {
-    Some(f64::from(world.driver.key as u8))
+    Some(f64::from(world.driver.key.number()))
 }
 
 fn set_key(world: &mut World, setting: Setting) {
-    const BY_WORD: [Key; 4] = [Key::Lock, Key::Accessory, Key::On, Key::Start];
-    world.driver.key = setting.and_then(|index| BY_WORD.get(index as usize)).copied().unwrap_or_default();
+    world.driver.key = setting.and_then(|number| Key::from_number(number as i32)).unwrap_or(Key::On);
 }
 
 fn get_gear(world: &World) -> Setting {
-    Some(f64::from(world.driver.gear as u8))
+    let place = LEVER.iter().position(|gear| *gear == world.driver.gear);
+    place.map(|place| place as f64)
 }
 
 fn set_gear(world: &mut World, setting: Setting) {
-    const BY_WORD: [Gear; 4] = [Gear::N, Gear::D, Gear::R, Gear::P];
-    let gear = setting.and_then(|index| BY_WORD.get(index as usize)).copied().unwrap_or_default();
+    let gear = setting.and_then(|place| LEVER.get(place as usize)).copied().unwrap_or_default();
     world.driver.gear = gear;
     if matches!(gear, Gear::D | Gear::R) && world.driver.key == Key::On && !world.vcu.started {
         world.driver.key = Key::Start;

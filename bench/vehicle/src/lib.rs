@@ -22,6 +22,7 @@ pub use control::{Control, ControlError, Group, Setting, Takes, Word};
 pub use world::World;
 
 use protocol_core::CanFrame;
+use protocol_core::states::{self, State};
 use protocol_core::vehicle::Node;
 use wire::Wire;
 
@@ -113,12 +114,21 @@ pub struct Readout {
     pub zh: &'static str,
     /// What it is called in English.
     pub en: &'static str,
-    /// The value in `unit`.
+    /// The value in `unit`, or the number of the state.
     pub value: f64,
     /// Unit, for example `km/h`.
     pub unit: &'static str,
     /// Digits after the point that mean something.
     pub digits: u8,
+    /// What kind of state it is; `None` = a number.
+    pub kind: Option<states::Kind>,
+}
+
+impl Readout {
+    /// Returns the state that is true; `None` for a number, and while the vehicle itself does not know.
+    pub fn state(&self) -> Option<&'static State> {
+        self.kind?.of_number(self.value as i32)
+    }
 }
 
 /// A whole vehicle but for its cluster.
@@ -182,8 +192,8 @@ impl VirtualVehicle {
     }
 
     /// Returns one truth by its name.
-    pub fn readout(&self, path: &str) -> Option<f64> {
-        self.readouts().into_iter().find(|readout| readout.path == path).map(|readout| readout.value)
+    pub fn readout(&self, path: &str) -> Option<Readout> {
+        self.readouts().into_iter().find(|readout| readout.path == path)
     }
 
     /// Lets one step of [`STEP_MS`] pass: physics first, then what each node makes of it, then their frames.

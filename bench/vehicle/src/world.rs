@@ -8,41 +8,15 @@ use crate::{Kind, Options, STEP_MS};
 use protocol_core::model::Severity;
 use protocol_core::vehicle::Node;
 
+pub use protocol_core::states::{Charge, Gear, Key};
+
 /// Nodes that a bus can have.
 pub const NODE_COUNT: usize = Node::Cluster as usize + 1;
-
-/// Gear lever, and what the vehicle controller has engaged.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Gear {
-    /// Neutral.
-    #[default]
-    N,
-    /// Drive.
-    D,
-    /// Reverse.
-    R,
-    /// Park.
-    P,
-}
-
-/// Key position.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Key {
-    /// Locked: every node but the cluster sleeps and is silent.
-    Lock,
-    /// Accessories.
-    Accessory,
-    /// On: nodes talk, high voltage may be closed.
-    #[default]
-    On,
-    /// Start: asks for READY; falls back to On by itself.
-    Start,
-}
 
 /// What the person at the wheel does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Driver {
-    /// Key position.
+    /// Key position. Locked, every node but the cluster sleeps; Start asks for READY and falls back to On by itself.
     pub key: Key,
     /// Accelerator pedal, 0 to 1.
     pub accelerator: f64,
@@ -230,20 +204,6 @@ pub struct Extreme {
     pub index: usize,
 }
 
-/// What the plug does.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ChargeState {
-    /// Not charging.
-    #[default]
-    Idle,
-    /// Charging.
-    Charging,
-    /// Full.
-    Complete,
-    /// Failed.
-    Fault,
-}
-
 /// The battery controller.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bms {
@@ -298,7 +258,7 @@ pub struct Bms {
     /// Largest discharge current allowed, in A, never negative.
     pub discharge_limit_amps: f64,
     /// Charging state.
-    pub charge: ChargeState,
+    pub charge: Charge,
     /// Balancing is active.
     pub balancing: bool,
     /// Days since the last external charge (BUS-R084).

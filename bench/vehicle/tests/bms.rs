@@ -413,7 +413,7 @@ fn bus_r077_bus_r079_bus_r117_fire_is_latched_until_power_off() {
     rig.wait_ms(2_500);
     assert!(is_active(&rig, 24, 3), "no hysteresis: it stays");
     assert_eq!((rig.raw("BMS5", "fault_code"), rig.raw("BMS1", "fault_level")), (24, 1));
-    rig.say("driver.key", "accessory");
+    rig.say("driver.key", "acc");
     rig.wait_ms(500);
     rig.say("driver.key", "on");
     rig.wait_ms(500);

@@ -6,13 +6,13 @@ use battery_rig::Rig;
 use protocol_core::generated::citybus;
 use protocol_core::model::Severity;
 use protocol_core::vehicle::Node;
-use virtual_vehicle::world::ChargeState;
+use virtual_vehicle::world::Charge;
 use virtual_vehicle::{Kind, Options, STEP_MS, VirtualVehicle};
 
 /// Plugs in and waits for current.
 fn charge(rig: &mut Rig) {
     rig.set("charge.plug", 1.0);
-    rig.wait_until(10_000, |world| world.bms.charge == ChargeState::Charging && world.charger.amps > 0.0);
+    rig.wait_until(10_000, |world| world.bms.charge == Charge::Charging && world.charger.amps > 0.0);
 }
 
 /// Plugs in and waits until the current has risen.
@@ -34,7 +34,7 @@ fn every_vehicle_charges_when_it_is_plugged_in() {
         assert!(world.bms.active.is_empty(), "{kind:?}: {:?}", world.bms.active);
         rig.set("charge.plug", 0.0);
         rig.wait_ms(200);
-        assert_eq!(rig.world().bms.charge, ChargeState::Idle, "{kind:?}");
+        assert_eq!(rig.world().bms.charge, Charge::Idle, "{kind:?}");
         assert_eq!(rig.world().charger.amps, 0.0, "{kind:?}");
     }
 }
@@ -49,21 +49,21 @@ fn charging_ends_with_full_cells_that_nobody_complains_of() {
         }
         charge(&mut rig);
         let mut highest: f64 = 0.0;
-        while rig.world().bms.charge == ChargeState::Charging {
+        while rig.world().bms.charge == Charge::Charging {
             assert!(rig.now_ms() < 4 * 3_600_000, "{kind:?} does not come to an end");
             assert!(rig.world().bms.active.is_empty(), "{kind:?}: {:?}", rig.world().bms.active);
             highest = highest.max(rig.world().bms.cell_max.value);
             rig.steps(10);
         }
         let world = rig.world();
-        assert_eq!(world.bms.charge, ChargeState::Complete, "{kind:?}");
+        assert_eq!(world.bms.charge, Charge::Complete, "{kind:?}");
         assert!((3.48..3.56).contains(&highest), "{kind:?}: {highest} V");
         assert!(world.pack.soc > 0.999_9, "{kind:?}: {}", world.pack.soc);
         let mean = world.pack.cell_soc.iter().sum::<f64>() / world.pack.cell_soc.len() as f64;
         assert!((mean - 1.0).abs() < 0.02, "{kind:?}: the cells are full, too: {mean}");
         assert_eq!(world.bms.charge_interval_days, 0, "BUS-R084: cleared after every external charge");
         rig.wait_ms(60_000);
-        assert_eq!(rig.world().bms.charge, ChargeState::Complete, "{kind:?}: does not begin again");
+        assert_eq!(rig.world().bms.charge, Charge::Complete, "{kind:?}: does not begin again");
         assert_eq!(rig.world().charger.amps, 0.0, "{kind:?}");
     }
 }
@@ -91,10 +91,10 @@ fn bus_r154_charger_delivers_only_while_enabled() {
     assert!(!rig.world().bms.charger_enabled);
     rig.steps(1);
     assert_eq!(rig.world().charger.amps, 0.0);
-    assert_eq!(rig.world().bms.charge, ChargeState::Fault);
+    assert_eq!(rig.world().bms.charge, Charge::Fault);
     rig.set("battery.interlock", 0.0);
     rig.wait_ms(2_000);
-    assert_eq!(rig.world().bms.charge, ChargeState::Charging, "goes on when the fault has gone");
+    assert_eq!(rig.world().bms.charge, Charge::Charging, "goes on when the fault has gone");
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn bus_r076_extreme_heat_ends_charging_for_good() {
     rig.free("battery.hottest");
     rig.free("battery.coldest");
     rig.wait_ms(5_000);
-    assert_eq!(rig.world().bms.charge, ChargeState::Fault, "until power-off");
+    assert_eq!(rig.world().bms.charge, Charge::Fault, "until power-off");
     rig.say("driver.key", "lock");
     rig.set("charge.plug", 0.0);
     rig.wait_ms(100);
@@ -155,7 +155,7 @@ fn bus_r113_hot_socket_halves_the_current_and_bus_r114_ends_it() {
     rig.set("battery.socket", 120.1);
     rig.steps(2);
     assert!(!rig.world().charger.running);
-    assert_eq!(rig.world().bms.charge, ChargeState::Fault);
+    assert_eq!(rig.world().bms.charge, Charge::Fault);
 }
 
 #[test]
@@ -180,11 +180,11 @@ fn a_dead_mains_is_a_pause_and_not_a_fault() {
     charge(&mut rig);
     rig.set("charge.mains", 0.0);
     rig.wait_ms(2_000);
-    assert_eq!(rig.world().bms.charge, ChargeState::Idle);
+    assert_eq!(rig.world().bms.charge, Charge::Idle);
     assert_eq!(rig.world().charger.severity, Severity::None);
     rig.set("charge.mains", 220.0);
     rig.wait_ms(2_000);
-    assert_eq!(rig.world().bms.charge, ChargeState::Charging);
+    assert_eq!(rig.world().bms.charge, Charge::Charging);
 }
 
 #[test]
@@ -259,7 +259,7 @@ fn bus_r037_pantograph_charges_through_circuit_two_when_the_vehicle_enables_it()
     let mut rig = Rig::new(Kind::Citybus);
     rig.set("battery.soc", 50.0);
     rig.set("charge.pantograph", 1.0);
-    rig.wait_until(60_000, |world| world.bms.charge == ChargeState::Charging && world.charger.amps > 100.0);
+    rig.wait_until(60_000, |world| world.bms.charge == Charge::Charging && world.charger.amps > 100.0);
     let bms = &rig.world().bms;
     assert!(bms.charge_2.iter().all(|relay| relay.closed));
     assert!(!bms.charge_1.iter().any(|relay| relay.closed));
@@ -296,7 +296,7 @@ fn c5_r004_charger_is_ready_before_and_after_charging() {
     rig.set("charge.mains", 220.0);
     rig.wait_ms(5_100);
     assert_eq!(rig.raw("ChargerTx", "charger_state"), 1);
-    rig.wait_until(3_600_000, |world| world.bms.charge == ChargeState::Complete);
+    rig.wait_until(3_600_000, |world| world.bms.charge == Charge::Complete);
     rig.wait_ms(1_100);
     assert_eq!(rig.raw("ChargerTx", "charger_state"), 0, "b: end of charge and no fault");
     rig.set("charge.charger_fault", 1.0);
@@ -336,7 +336,7 @@ fn c5_r005_main_relay_stays_open_when_the_charger_is_never_heard() {
     rig.set("charge.plug", 1.0);
     rig.wait_ms(20_000);
     assert!(!rig.world().bms.main.closed);
-    assert_eq!(rig.world().bms.charge, ChargeState::Fault);
+    assert_eq!(rig.world().bms.charge, Charge::Fault);
 }
 
 #[test]

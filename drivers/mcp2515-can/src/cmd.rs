@@ -7,6 +7,9 @@ use crate::irq::RxBuffer;
 use crate::regs::{self, Register};
 use embedded_hal::spi::SpiDevice;
 
+/// Twelve neighbouring registers: filters 0 to 2, filters 3 to 5, or what lies from RXM0SIDH to CANINTE.
+pub type Bank = [u8; 12];
+
 /// The chip's instruction set over an SPI device: mode 0,0 and at most 10 MHz.
 pub struct Commands<SPI> {
     spi: SPI,
@@ -23,14 +26,16 @@ impl<SPI: SpiDevice> Commands<SPI> {
         self.spi
     }
 
-    /// Lends the SPI device, for the `mcp2515` crate.
-    pub fn spi(&mut self) -> &mut SPI {
-        &mut self.spi
-    }
-
     /// RESET.
     pub fn reset(&mut self) -> Result<(), SPI::Error> {
         self.spi.write(&[regs::RESET])
+    }
+
+    /// READ of one register.
+    pub fn read(&mut self, register: Register) -> Result<u8, SPI::Error> {
+        let mut bytes = [regs::READ, register as u8, 0];
+        self.spi.transfer_in_place(&mut bytes)?;
+        Ok(bytes[2])
     }
 
     /// READ of two neighbouring registers.
@@ -40,11 +45,13 @@ impl<SPI: SpiDevice> Commands<SPI> {
         Ok([bytes[2], bytes[3]])
     }
 
-    /// READ of three neighbouring registers.
-    pub fn read_three(&mut self, first: Register) -> Result<[u8; 3], SPI::Error> {
-        let mut bytes = [regs::READ, first as u8, 0, 0, 0];
+    /// READ of as many neighbouring registers as a [`Bank`] has.
+    pub fn read_bank(&mut self, first: Register) -> Result<Bank, SPI::Error> {
+        let mut bytes = [0; 2 + size_of::<Bank>()];
+        bytes[..2].copy_from_slice(&[regs::READ, first as u8]);
         self.spi.transfer_in_place(&mut bytes)?;
-        Ok([bytes[2], bytes[3], bytes[4]])
+        let [_, _, bank @ ..] = bytes;
+        Ok(bank)
     }
 
     /// WRITE of one register.
@@ -52,9 +59,12 @@ impl<SPI: SpiDevice> Commands<SPI> {
         self.spi.write(&[regs::WRITE, register as u8, value])
     }
 
-    /// WRITE of three neighbouring registers.
-    pub fn write_three(&mut self, first: Register, [a, b, c]: [u8; 3]) -> Result<(), SPI::Error> {
-        self.spi.write(&[regs::WRITE, first as u8, a, b, c])
+    /// WRITE of as many neighbouring registers as a [`Bank`] has.
+    pub fn write_bank(&mut self, first: Register, bank: &Bank) -> Result<(), SPI::Error> {
+        let mut bytes = [0; 2 + size_of::<Bank>()];
+        bytes[..2].copy_from_slice(&[regs::WRITE, first as u8]);
+        bytes[2..].copy_from_slice(bank);
+        self.spi.write(&bytes)
     }
 
     /// BIT MODIFY: sets the bits of `mask` to those of `value`.

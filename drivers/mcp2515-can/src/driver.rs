@@ -3,18 +3,16 @@
 //! Decides nothing that [`crate::irq`] or [`crate::timing`] can decide. Every loop has a limit. Time comes in as
 //! milliseconds; there is no clock here. One owner only: the application locks the driver for each call.
 
-use crate::cmd::Commands;
+use crate::acceptance::{self, Acceptance};
+use crate::cmd::{Bank, Commands};
 use crate::frame::{self, Received};
 use crate::irq::{self, BusState};
 use crate::regs::{self, Register};
 use crate::timing::{BitTiming, SAMPLE_POINT, TimingError};
-use embedded_can::{Frame, Id};
+use embedded_can::Frame;
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::InputPin;
 use embedded_hal::spi::SpiDevice;
-use mcp2515::filter::{RxFilter, RxMask};
-use mcp2515::regs::{CanCtrl, OpMode};
-use mcp2515::{CanSpeed, MCP2515, McpSpeed, Settings};
 
 /// Crystal of the module. Blue modules mostly carry 8 MHz: read what is printed on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,22 +46,19 @@ pub enum Mode {
 }
 
 impl Mode {
-    const fn op_mode(self) -> OpMode {
+    /// Returns the mode as CANSTAT shows it and CANCTRL asks for it.
+    const fn opmod(self) -> u8 {
         match self {
-            Self::Normal => OpMode::Normal,
-            Self::ListenOnly => OpMode::ListenOnly,
-            Self::Loopback => OpMode::Loopback,
+            Self::Normal => regs::OPMOD_NORMAL,
+            Self::ListenOnly => regs::OPMOD_LISTEN_ONLY,
+            Self::Loopback => regs::OPMOD_LOOPBACK,
         }
     }
-}
 
-/// Identifiers that the hardware lets through. A frame passes if, under its mask, it equals one of the filters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Acceptance {
-    /// Mask 0 serves filters 0 and 1 (RXB0), mask 1 serves filters 2 to 5 (RXB1).
-    pub masks: [Id; 2],
-    /// Filters.
-    pub filters: [Id; 6],
+    /// Returns CANSTAT, of that the bits [`regs::OPMOD`], and CANCTRL of a chip in this mode.
+    const fn registers(self) -> [u8; 2] {
+        [self.opmod(), self.opmod() | regs::CLKPRE]
+    }
 }
 
 /// How to start the chip.
@@ -90,19 +85,21 @@ pub enum StartError<E> {
         /// What was read.
         actual: [u8; 2],
     },
-    /// CNF3 to CNF1 do not read back as written: check the SPI clock (at most 10 MHz) and the wires' length.
-    BitTiming {
+    /// A register does not read back as written: check the SPI clock (at most 10 MHz), the wires' length and contacts.
+    Readback {
+        /// Address of the register.
+        address: u8,
         /// What was written.
-        expected: [u8; 3],
+        expected: u8,
         /// What was read.
-        actual: [u8; 3],
+        actual: u8,
     },
     /// The chip refuses a mode: check the CAN transceiver (a bus that is never recessive keeps it waiting).
     Mode {
-        /// OPMOD asked for (CANSTAT bits 7 to 5).
-        expected: u8,
-        /// OPMOD read.
-        actual: u8,
+        /// CANSTAT, of that OPMOD (bits 7 to 5), and CANCTRL in the mode asked for.
+        expected: [u8; 2],
+        /// What was read.
+        actual: [u8; 2],
     },
     /// Crystal and bit rate do not go together.
     Timing(TimingError),
@@ -119,15 +116,59 @@ impl<E: core::fmt::Debug> core::fmt::Display for StartError<E> {
                     "no MCP2515: CANSTAT, CANCTRL {actual:02x?}, expected {expected:02x?}; check wiring"
                 )
             }
-            Self::BitTiming { expected, actual } => {
-                write!(f, "MCP2515 CNF3..1 {actual:02x?}, wrote {expected:02x?}; check SPI clock and wires")
+            Self::Readback { address, expected, actual } => {
+                write!(
+                    f,
+                    "MCP2515 register {address:02x} {actual:02x}, wrote {expected:02x}; check SPI clock and wires"
+                )
             }
             Self::Mode { expected, actual } => {
-                write!(f, "MCP2515 mode {actual:02x}, asked {expected:02x}; check the CAN transceiver")
+                write!(
+                    f,
+                    "MCP2515 mode: CANSTAT, CANCTRL {actual:02x?}, expected {expected:02x?}; check the CAN transceiver"
+                )
             }
             Self::Timing(error) => write!(f, "MCP2515 bit timing: {error:?}; check crystal and bit rate"),
             Self::Spi(error) => write!(f, "MCP2515 SPI: {error:?}"),
         }
+    }
+}
+
+/// Starts that were refused, by reason; counters stop at their maximum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Refusals {
+    /// No chip has answered: [`StartError::Probe`].
+    pub probe: u32,
+    /// A register has not read back: [`StartError::Readback`].
+    pub readback: u32,
+    /// The chip has not entered its mode: [`StartError::Mode`].
+    pub mode: u32,
+    /// No timing for crystal and bit rate: [`StartError::Timing`].
+    pub timing: u32,
+    /// The SPI bus has failed: [`StartError::Spi`].
+    pub spi: u32,
+}
+
+impl Refusals {
+    /// None so far.
+    pub const NONE: Self = Self { probe: 0, readback: 0, mode: 0, timing: 0, spi: 0 };
+
+    /// Counts a refusal.
+    pub const fn note<E>(&mut self, error: &StartError<E>) {
+        let counter = match error {
+            StartError::Probe { .. } => &mut self.probe,
+            StartError::Readback { .. } => &mut self.readback,
+            StartError::Mode { .. } => &mut self.mode,
+            StartError::Timing(_) => &mut self.timing,
+            StartError::Spi(_) => &mut self.spi,
+        };
+        *counter = counter.saturating_add(1);
+    }
+
+    /// Returns how many there were of all kinds.
+    pub const fn total(self) -> u32 {
+        let Self { probe, readback, mode, timing, spi } = self;
+        probe.saturating_add(readback).saturating_add(mode).saturating_add(timing).saturating_add(spi)
     }
 }
 
@@ -154,6 +195,8 @@ pub enum TransmitError<E> {
     Busy,
     /// The node only listens.
     ListenOnly,
+    /// The node went off the bus less than [`BUS_OFF_SILENCE_MS`] ago and spares it.
+    Silent,
     /// The SPI bus failed.
     Spi(E),
 }
@@ -175,7 +218,7 @@ pub struct Health {
     pub overruns: u32,
     /// Frames sent and acknowledged.
     pub sent: u32,
-    /// Frames given up because the bus did not take them within [`TRANSMIT_LIMIT_MS`].
+    /// Frames given up because the bus did not take them within [`TRANSMIT_LIMIT_MS`] or the node went off it.
     pub aborted: u32,
     /// Times the node went off the bus.
     pub bus_offs: u32,
@@ -215,8 +258,10 @@ pub enum Verdict {
 
 /// Longest wait of a frame for the bus, in milliseconds: at 250 kbit/s even a full bus lets 150 others pass.
 pub const TRANSMIT_LIMIT_MS: u64 = 100;
-/// Longest stay off the bus before the chip is restarted, in milliseconds. A free bus ends it within 6 ms
-/// (128 * 11 bits at 250 kbit/s); the rest of the second spares a bus that this node disturbs.
+/// Time without a request to send from when bus-off is noticed, in milliseconds. The chip itself would send again
+/// after 128 * 11 bits (6 ms at 250 kbit/s), and if its frames all fail be off again every 20 ms.
+pub const BUS_OFF_SILENCE_MS: u64 = 1_000;
+/// Longest stay off the bus before the chip is restarted, in milliseconds; 128 times 11 free bits end it.
 pub const BUS_OFF_LIMIT_MS: u64 = 1_000;
 
 /// Passes of one service. Each takes up to two frames of 47 bits or more, so a running chip needs two or three.
@@ -235,10 +280,13 @@ pub struct Mcp2515<SPI, INT> {
     health: Health,
     pending_since_ms: Option<u64>,
     bus_off_since_ms: Option<u64>,
+    /// Bus-off was noticed by a service, which has no time: the silence starts with the next call that has.
+    silence_due: bool,
+    silent_until_ms: u64,
 }
 
 impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
-    /// Resets, probes and configures the chip and joins the bus. Takes up to 12 ms.
+    /// Resets, probes and configures the chip and joins the bus. Takes up to 5 ms.
     ///
     /// # Errors
     /// When the chip does not answer as expected; the parts come back for another attempt.
@@ -255,6 +303,8 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
             health: Health::default(),
             pending_since_ms: None,
             bus_off_since_ms: None,
+            silence_due: false,
+            silent_until_ms: 0,
         };
         match driver.start(delay) {
             Ok(()) => Ok(driver),
@@ -286,7 +336,7 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
         &mut self.int
     }
 
-    /// Starts the chip anew; a frame that waits to be sent is dropped and counted. Takes up to 12 ms.
+    /// Starts the chip anew; a frame that waits to be sent is dropped and counted. Takes up to 5 ms.
     ///
     /// # Errors
     /// As in [`Self::new`]; call it again later.
@@ -296,7 +346,7 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
         self.start(delay)
     }
 
-    /// Forgets what a restart ends.
+    /// Forgets what a restart ends. The silence after bus-off is none of it: the bus is the same.
     fn abandon(&mut self) {
         if self.pending_since_ms.take().is_some() {
             count(&mut self.health.aborted, 1);
@@ -304,7 +354,7 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
         self.bus_off_since_ms = None;
     }
 
-    /// Starts the chip anew as `config` says, for example at another bit rate; the counters stay. Takes up to 12 ms.
+    /// Starts the chip anew as `config` says, for example at another bit rate; the counters stay. Takes up to 5 ms.
     ///
     /// # Errors
     /// As in [`Self::new`]; call it again later.
@@ -326,7 +376,7 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
     /// When the SPI bus fails.
     pub fn change_mode(&mut self, mode: Mode) -> Result<(), SPI::Error> {
         self.config.mode = mode;
-        self.commands.bit_modify(Register::CANCTRL, regs::REQOP, op_bits(mode.op_mode()))
+        self.commands.bit_modify(Register::CANCTRL, regs::REQOP, mode.opmod())
     }
 
     /// Returns whether a frame with an error was on the bus since the last call: on a node that only listens, the sign
@@ -385,10 +435,14 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
     /// by a reception at the same time (errata 2).
     ///
     /// # Errors
-    /// When the frame before it still waits, the node only listens, or the SPI bus fails.
+    /// When the frame before it still waits, the node only listens or was off the bus, or the SPI bus fails.
     pub fn transmit(&mut self, frame: &impl Frame, now_ms: u64) -> Result<(), TransmitError<SPI::Error>> {
         if self.config.mode == Mode::ListenOnly {
             return Err(TransmitError::ListenOnly);
+        }
+        self.start_silence(now_ms);
+        if now_ms < self.silent_until_ms {
+            return Err(TransmitError::Silent);
         }
         if self.settle_transmission(now_ms)? {
             return Err(TransmitError::Busy);
@@ -409,11 +463,11 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
     /// When the SPI bus fails.
     pub fn supervise(&mut self, now_ms: u64) -> Result<Verdict, SPI::Error> {
         self.settle_transmission(now_ms)?;
-        let [canstat, _] = self.commands.read_pair(Register::CANSTAT)?;
-        if canstat & regs::OPMOD != op_bits(self.config.mode.op_mode()) {
+        if self.read_mode()? != self.config.mode.registers() {
             return Ok(Verdict::Restart);
         }
         self.clear_flags()?;
+        self.start_silence(now_ms);
         let [tec, rec] = self.commands.read_pair(Register::TEC)?;
         self.health.transmit_errors = tec;
         self.health.receive_errors = rec;
@@ -436,15 +490,12 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
         let timing = BitTiming::solve(self.config.oscillator.hz(), self.config.bitrate, SAMPLE_POINT)
             .map_err(StartError::Timing)?;
         self.probe(delay)?;
-        self.configure(delay)?;
-        self.write_timing(timing)?;
-        // MERRE stays off: one interrupt per bus error is 10 000 a second on a broken bus.
-        self.commands.write(Register::CANINTE, regs::RX0IF | regs::RX1IF | regs::ERRIF)?;
-        self.commands.write(Register::CANINTF, 0)?;
+        self.configure(timing)?;
         self.enter_mode(delay)
     }
 
-    /// Probes before the crate sees the chip: its register types panic on bits that no MCP2515 sends.
+    /// Resets the chip and waits for it: 128 crystal periods after the reset (8.1), and up to 2 ms for a crystal that
+    /// is only starting.
     fn probe(&mut self, delay: &mut impl DelayNs) -> Result<(), StartError<SPI::Error>> {
         let expected = [regs::OPMOD_CONFIGURATION, regs::CANCTRL_AFTER_RESET];
         let mut actual = [0; 2];
@@ -454,70 +505,60 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
             let [canstat, canctrl] = self.commands.read_pair(Register::CANSTAT)?;
             actual = [canstat, canctrl & regs::CANCTRL_PROBE];
             if actual == expected {
+                self.health.state = BusState::Active;
                 return Ok(());
             }
         }
         Err(StartError::Probe { expected, actual })
     }
 
-    fn configure(&mut self, delay: &mut impl DelayNs) -> Result<(), StartError<SPI::Error>> {
-        let mcp_speed = match self.config.oscillator {
-            Oscillator::Mhz8 => McpSpeed::MHz8,
-            Oscillator::Mhz16 => McpSpeed::MHz16,
-        };
-        // The crate wants a rate of its table; `write_timing` overwrites it.
-        let can_speed = CanSpeed::Kbps250;
-        let settings = Settings { mode: OpMode::Configuration, can_speed, mcp_speed, clkout_en: false };
-        let acceptance = self.config.acceptance;
-        let mut chip = MCP2515::new(self.commands.spi());
-        let configured = chip.init(delay, settings).and_then(|()| {
-            // A mask of zero lets everything through, but the kind of identifier still counts: the crate leaves
-            // filter 0 for 11 bits and filter 1 for 29, and RXB1 takes what rolls over from RXB0.
-            let Some(acceptance) = acceptance else { return Ok(()) };
-            for (mask, id) in RxMask::ALL.into_iter().zip(acceptance.masks) {
-                chip.set_mask(mask, id)?;
+    /// Writes all registers that matter, then reads them all: a byte that went astray may have hit one written before.
+    fn configure(&mut self, timing: BitTiming) -> Result<(), StartError<SPI::Error>> {
+        let banks = banks(self.config.acceptance.as_ref(), timing);
+        for (first, bank) in &banks {
+            self.commands.write_bank(*first, bank)?;
+        }
+        for (register, value, _) in SINGLE_REGISTERS {
+            self.commands.write(register, value)?;
+        }
+        for (first, expected) in banks {
+            let actual = self.commands.read_bank(first)?;
+            for (address, (expected, actual)) in (first as u8..).zip(expected.into_iter().zip(actual)) {
+                if actual != expected {
+                    return Err(StartError::Readback { address, expected, actual });
+                }
             }
-            for (filter, id) in RxFilter::ALL.into_iter().zip(acceptance.filters) {
-                chip.set_filter(filter, id)?;
+        }
+        for (register, expected, mask) in SINGLE_REGISTERS {
+            let actual = self.commands.read(register)? & mask;
+            if actual != expected {
+                return Err(StartError::Readback { address: register as u8, expected, actual });
             }
-            Ok(())
-        });
-        configured.map_err(|error| self.explain(error, OpMode::Configuration))
+        }
+        Ok(())
     }
 
-    fn write_timing(&mut self, timing: BitTiming) -> Result<(), StartError<SPI::Error>> {
-        let expected = timing.registers();
-        self.commands.write_three(Register::CNF3, expected)?;
-        let actual = self.commands.read_three(Register::CNF3)?;
-        if actual == expected { Ok(()) } else { Err(StartError::BitTiming { expected, actual }) }
-    }
-
-    /// Asks for the mode and waits: the chip joins between two frames, so a busy bus takes a frame's time. (The
-    /// crate's own `set_mode` gives up after 20 reads, some 60 us.)
+    /// Asks for the mode and waits: the chip joins between two frames, so a busy bus takes a frame's time.
     fn enter_mode(&mut self, delay: &mut impl DelayNs) -> Result<(), StartError<SPI::Error>> {
-        let mode = self.config.mode.op_mode();
-        MCP2515::new(self.commands.spi())
-            .modify_register(CanCtrl::new().with_reqop(mode), CanCtrl::MASK_REQOP)
-            .map_err(|error| self.explain(error, mode))?;
-        let mut actual = 0;
+        let expected = self.config.mode.registers();
+        let [_, canctrl] = expected;
+        self.commands.write(Register::CANCTRL, canctrl)?;
+        let mut actual = [0; 2];
         for _ in 0..MODE_POLLS {
-            let [canstat, _] = self.commands.read_pair(Register::CANSTAT)?;
-            actual = canstat & regs::OPMOD;
-            if actual == op_bits(mode) {
+            actual = self.read_mode()?;
+            // Seen twice: the chip is asked while it still changes over, and one wrong byte would do.
+            if actual == expected && self.read_mode()? == expected {
                 return Ok(());
             }
             delay.delay_us(POLL_US);
         }
-        Err(StartError::Mode { expected: op_bits(mode), actual })
+        Err(StartError::Mode { expected, actual })
     }
 
-    fn explain(&mut self, error: mcp2515::error::Error<SPI::Error>, mode: OpMode) -> StartError<SPI::Error> {
-        match (error, self.commands.read_pair(Register::CANSTAT)) {
-            (mcp2515::error::Error::Spi(error), _) | (_, Err(error)) => StartError::Spi(error),
-            (_, Ok([canstat, _])) => {
-                StartError::Mode { expected: op_bits(mode), actual: canstat & regs::OPMOD }
-            }
-        }
+    /// Reads what [`Mode::registers`] gives. CANSTAT alone would not do: in normal mode it is as zero as a dead line.
+    fn read_mode(&mut self) -> Result<[u8; 2], SPI::Error> {
+        let [canstat, canctrl] = self.commands.read_pair(Register::CANSTAT)?;
+        Ok([canstat & regs::OPMOD, canctrl])
     }
 
     /// Reads CANINTF and EFLG in one burst and does what [`irq::plan`] says.
@@ -532,10 +573,31 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
         }
         count(&mut self.health.overruns, u32::from(plan.overruns));
         if plan.state == BusState::BusOff && self.health.state != BusState::BusOff {
-            count(&mut self.health.bus_offs, 1);
+            self.leave_bus()?;
         }
         self.health.state = plan.state;
         Ok(())
+    }
+
+    /// Takes the waiting frame back, which the chip would send as soon as it recovers.
+    #[cold]
+    fn leave_bus(&mut self) -> Result<(), SPI::Error> {
+        if self.pending_since_ms.is_some() {
+            self.commands.bit_modify(Register::TXB0CTRL, regs::TXREQ, 0)?;
+            self.pending_since_ms = None;
+            count(&mut self.health.aborted, 1);
+        }
+        count(&mut self.health.bus_offs, 1);
+        self.silence_due = true;
+        Ok(())
+    }
+
+    /// Starts the silence after a bus-off that was noticed since the last call.
+    const fn start_silence(&mut self, now_ms: u64) {
+        if self.silence_due {
+            self.silence_due = false;
+            self.silent_until_ms = now_ms.saturating_add(BUS_OFF_SILENCE_MS);
+        }
     }
 
     /// Returns whether TXB0 is still occupied; gives it up when the bus has not taken it in time.
@@ -560,8 +622,36 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
     }
 }
 
-const fn op_bits(mode: OpMode) -> u8 {
-    (mode as u8) << 5
+/// What is written in configuration mode beside the [`banks`]: register, value, and the bits that read back.
+const SINGLE_REGISTERS: [(Register, u8, u8); 4] = [
+    (Register::TXB0CTRL, 0, regs::TXREQ),
+    (Register::RXB0CTRL, regs::BUKT, regs::RXM | regs::BUKT),
+    (Register::RXB1CTRL, 0, regs::RXM),
+    (Register::CANINTF, 0, 0xFF),
+];
+
+/// Filters, masks, CNF3 to CNF1 and CANINTE, in the order of their addresses.
+fn banks(acceptance: Option<&Acceptance>, timing: BitTiming) -> [(Register, Bank); 3] {
+    let acceptance::Registers { masks, filters } =
+        acceptance.map_or(acceptance::Registers::EVERYTHING, acceptance::Registers::of);
+    let [f0, f1, f2, f3, f4, f5] = filters;
+    let [m0, m1] = masks;
+    let [cnf3, cnf2, cnf1] = timing.registers();
+    // MERRE stays off: one interrupt per bus error is 10 000 a second on a broken bus.
+    let caninte = regs::RX0IF | regs::RX1IF | regs::ERRIF;
+    [
+        (Register::RXF0SIDH, bank([f0, f1, f2])),
+        (Register::RXF3SIDH, bank([f3, f4, f5])),
+        (Register::RXM0SIDH, bank([m0, m1, [cnf3, cnf2, cnf1, caninte]])),
+    ]
+}
+
+fn bank(parts: [[u8; 4]; 3]) -> Bank {
+    let mut bank = Bank::default();
+    for (register, value) in bank.iter_mut().zip(parts.into_iter().flatten()) {
+        *register = value;
+    }
+    bank
 }
 
 #[inline(always)]

@@ -37,23 +37,26 @@ pub fn decode<F: Frame>(buffer: &Buffer) -> Received<F> {
     }
 }
 
-/// Encodes a data frame; returns the buffer and how many bytes of it matter (5 to 13).
-pub fn encode(frame: &impl Frame) -> (Buffer, usize) {
-    let mut buffer = [0; 13];
-    match frame.id() {
+/// Returns SIDH, SIDL, EID8 and EID0 of an identifier, as transmit buffers and filters hold it.
+#[inline(always)]
+pub fn id_registers(id: Id) -> [u8; 4] {
+    match id {
         Id::Standard(id) => {
             let bits = id.as_raw();
-            buffer[0] = (bits >> 3) as u8;
-            buffer[1] = (bits << 5) as u8;
+            [(bits >> 3) as u8, (bits << 5) as u8, 0, 0]
         }
         Id::Extended(id) => {
             let bits = id.as_raw();
-            buffer[0] = (bits >> 21) as u8;
-            buffer[1] = (bits >> 13) as u8 & 0xE0 | IDE | (bits >> 16) as u8 & 3;
-            buffer[2] = (bits >> 8) as u8;
-            buffer[3] = bits as u8;
+            let sidl = (bits >> 13) as u8 & 0xE0 | IDE | (bits >> 16) as u8 & 3;
+            [(bits >> 21) as u8, sidl, (bits >> 8) as u8, bits as u8]
         }
     }
+}
+
+/// Encodes a data frame; returns the buffer and how many bytes of it matter (5 to 13).
+pub fn encode(frame: &impl Frame) -> (Buffer, usize) {
+    let mut buffer = [0; 13];
+    buffer[..4].copy_from_slice(&id_registers(frame.id()));
     let data = frame.data();
     let len = data.len().min(8);
     buffer[4] = len as u8;

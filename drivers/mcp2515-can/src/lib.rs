@@ -1,11 +1,14 @@
 //! MCP2515 CAN controller: one transaction per frame, nothing lost uncounted.
 //!
-//! Start-up, modes and filters go through the `mcp2515` crate; bit timing, reception, transmission and error handling
-//! are done here, because a frame must cost 16 SPI bytes (one RX STATUS, one READ RX BUFFER), must never be
-//! acknowledged twice, and the two receive buffers must be emptied in the order of arrival.
+//! A frame costs 16 SPI bytes (one RX STATUS, one READ RX BUFFER), is never acknowledged twice, and the two receive
+//! buffers are emptied in the order of arrival. A start reads back all that it has written: over a bad contact it is
+//! refused and says what was expected and read.
 //!
-//! From pure to bound: [`timing`], [`frame`] and [`irq`] are functions of their arguments, [`cmd`] has one method per
-//! SPI instruction, [`driver`] owns the chip.
+//! Register names come from the `mcp2515` crate, which is also the second witness for masks and filters. Its driver is
+//! not used: it panics on answers that no MCP2515 gives, waits 5 ms after a reset and reads nothing back.
+//!
+//! From pure to bound: [`timing`], [`acceptance`], [`frame`] and [`irq`] are functions of their arguments, [`cmd`] has
+//! one method per SPI instruction, [`driver`] owns the chip.
 //!
 //! INT is a level, low while any enabled flag is set. The application uses a level interrupt: call
 //! [`Mcp2515::service`] in it, and mask it until the next tick when [`Serviced::drained`] is false.
@@ -16,6 +19,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod acceptance;
 pub mod cmd;
 pub mod driver;
 pub mod frame;
@@ -23,8 +27,9 @@ pub mod irq;
 pub mod regs;
 pub mod timing;
 
+pub use acceptance::Acceptance;
 pub use driver::{
-    Acceptance, Config, Health, Mcp2515, Mode, Oscillator, Refused, Serviced, StartError, TransmitError,
+    Config, Health, Mcp2515, Mode, Oscillator, Refusals, Refused, Serviced, StartError, TransmitError,
 };
 pub use irq::BusState;
 pub use timing::{BitTiming, TimingError};

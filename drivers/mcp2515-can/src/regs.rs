@@ -1,6 +1,6 @@
 //! Instruction codes and flag bits of the MCP2515.
 //!
-//! Addresses come from the `mcp2515` crate; here are only the instructions and the bits that this driver tests.
+//! Addresses come from the `mcp2515` crate; here are only the instructions and the bits that this driver uses.
 //! Source: DS20001801, table 12-1 (instructions) and the register named in each line.
 
 pub use mcp2515::regs::Register;
@@ -67,8 +67,16 @@ pub const DLC: u8 = 0x0F;
 /// Transmission requested (TXBnCTRL.TXREQ, register 3-1).
 pub const TXREQ: u8 = 1 << 3;
 
+/// Receive buffer operating mode: 00 = masks and filters (RXBnCTRL.RXM, registers 4-1 and 4-2).
+pub const RXM: u8 = 0b11 << 5;
+/// A frame for a full RXB0 goes into RXB1 (RXB0CTRL.BUKT, register 4-1).
+pub const BUKT: u8 = 1 << 2;
+
 /// Requested operation mode (CANCTRL.REQOP, register 10-1).
 pub const REQOP: u8 = 0b111 << 5;
+/// CLKOUT divisor, as after a reset; without CLKEN of no effect (CANCTRL.CLKPRE, register 10-1). Not zero, so that a
+/// MISO line that is stuck low cannot be taken for a chip in normal mode.
+pub const CLKPRE: u8 = 0b11;
 /// Operation mode (CANSTAT.OPMOD, register 10-2).
 pub const OPMOD: u8 = 0xE0;
 /// Bits of CANCTRL whose value after a reset is known: no abort or one-shot pending, CLKOUT on (register 10-1).
@@ -77,3 +85,9 @@ pub const CANCTRL_PROBE: u8 = 0x17;
 pub const CANCTRL_AFTER_RESET: u8 = 0x07;
 /// Configuration mode as CANSTAT shows it (OPMOD = 100).
 pub const OPMOD_CONFIGURATION: u8 = 0x80;
+/// Normal mode as CANSTAT shows it (OPMOD = 000).
+pub const OPMOD_NORMAL: u8 = 0x00;
+/// Loopback mode as CANSTAT shows it (OPMOD = 010).
+pub const OPMOD_LOOPBACK: u8 = 0x40;
+/// Listen-only mode as CANSTAT shows it (OPMOD = 011).
+pub const OPMOD_LISTEN_ONLY: u8 = 0x60;

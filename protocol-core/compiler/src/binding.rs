@@ -3,12 +3,13 @@
 //! The keys are described in `vehicles/FORMAT.md`.
 
 use crate::diagnostics::{Diagnostics, Report, did_you_mean};
-use crate::meaning::{CHECKSUMS, NODES, accepted, counts_per, words};
+use crate::meaning::{CHECKSUMS, NODES, accepted, counts_per, states};
 use crate::network::{Message, Network, Signal};
 use crate::ratio::{Linear, Ratio};
 use protocol_core::checksum::Checksum;
 use protocol_core::codec::Mux;
-use protocol_core::model::{Severity, Unit, Value};
+use protocol_core::model::{Missing, Severity, Unit, Value};
+use protocol_core::states::Kind;
 use protocol_core::stream;
 use protocol_core::vehicle::Node;
 use std::collections::BTreeMap;
@@ -729,7 +730,7 @@ impl Reader<'_> {
         }
         let how = if value.unit() == Unit::Bits {
             How::Mapped { states: plain_flag(), other: None }
-        } else if map.is_some() || !words(value.unit()).is_empty() {
+        } else if map.is_some() || value.unit().kind().is_some() {
             let mut states = self.states(value, signal, map.unwrap_or_default(), at.span().start)?;
             if other.is_none() {
                 states.retain(|_, state| state.is_some());
@@ -769,25 +770,36 @@ impl Reader<'_> {
 
     /// Reads a state of the model: a word of its unit, or a number; `None` for "invalid".
     fn state(&mut self, value: Value, at: &Spanned<DeValue<'_>>) -> Option<i32> {
-        let known = words(value.unit());
-        match at.get_ref() {
-            DeValue::Integer(_) if known.is_empty() => Some(self.number(at, 0..=i64::from(i32::MAX)) as i32),
-            DeValue::Boolean(flag) if value.unit() == Unit::Flag => Some(i32::from(*flag)),
-            DeValue::String(word) if word == "invalid" => None,
-            DeValue::String(word) => {
-                let state = known.iter().find(|(known, _)| known == word);
-                if state.is_none() {
-                    let candidates = known.iter().map(|(word, _)| *word).chain(["invalid"]);
-                    let what = format!("state of `{}`", value.path());
-                    self.unknown(at.span().start, &what, word, candidates);
-                }
-                state.map(|(_, state)| *state)
-            }
+        let kind = value.unit().kind();
+        match (at.get_ref(), kind) {
+            (DeValue::Integer(_), None) => Some(self.number(at, 0..=i64::from(i32::MAX)) as i32),
+            (DeValue::Boolean(flag), _) if value.unit() == Unit::Flag => Some(i32::from(*flag)),
+            (DeValue::String(word), _) if word == Missing::Invalid.word() => None,
+            (DeValue::String(word), kind) => self.word(value, kind, word, at.span().start),
+            (DeValue::Integer(number), Some(_)) => self.word(value, kind, number.as_str(), at.span().start),
             _ => {
                 self.wrong(at, "a word");
                 None
             }
         }
+    }
+
+    /// Returns the number of a state's word; another spelling of it is an error that says the word.
+    fn word(&mut self, value: Value, kind: Option<Kind>, word: &str, offset: usize) -> Option<i32> {
+        let state = kind.and_then(|kind| kind.of_word(word));
+        match (state, kind.and_then(|kind| kind.meant_by(word))) {
+            (Some(_), _) => {}
+            (None, Some(meant)) => {
+                let text = format!("`{word}` is written `{}` in `{}`", meant.word, value.path());
+                self.report.offset(offset, text);
+            }
+            (None, None) => {
+                let known = states(value.unit()).iter().map(|state| state.word);
+                let what = format!("state of `{}`", value.path());
+                self.unknown(offset, &what, word, known.chain([Missing::Invalid.word()]));
+            }
+        }
+        state.map(|state| state.number)
     }
 
     /// Returns raw value -> state: from the map, else from words that the value table and the model share.
@@ -798,14 +810,14 @@ impl Reader<'_> {
         map: Vec<Entry<'_>>,
         offset: usize,
     ) -> Option<States> {
-        let known = words(value.unit());
+        let known = states(value.unit());
         let mut states = States::new();
         if value.unit() == Unit::Flag && signal.length == 1 && map.is_empty() {
             return Some(plain_flag());
         }
         for (raw, word) in &signal.values {
-            if let Some((_, state)) = known.iter().find(|(known, _)| known == word) {
-                states.insert(*raw, Some(*state));
+            if let Some(state) = known.iter().find(|state| state.word == word) {
+                states.insert(*raw, Some(state.number));
             }
         }
         for (key, at) in &map {
@@ -834,7 +846,7 @@ impl Reader<'_> {
         let missing = signal.values.iter().filter(|(raw, _)| !states.contains_key(raw));
         let missing: Vec<&str> = missing.map(|(_, word)| word.as_str()).collect();
         if !missing.is_empty() {
-            let candidates: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
+            let candidates: Vec<&str> = known.iter().map(|state| state.word).collect();
             let text = format!(
                 "`{}` does not say what `{}` of `{}` means: map each to {} or invalid",
                 value.path(),
@@ -954,7 +966,7 @@ impl Reader<'_> {
             return None;
         };
         let missing = missing.or(signal.invalid_raw).unwrap_or(signal.start_raw);
-        let how = if map_at.is_some() || !words(value.unit()).is_empty() {
+        let how = if map_at.is_some() || value.unit().kind().is_some() {
             let map = match map_at {
                 Some(at) => self.map(at, maps)?,
                 None => Vec::new(),
@@ -1065,16 +1077,16 @@ impl Reader<'_> {
                 "code" => code = self.number(value, 1..=0xFFFF) as u16,
                 "level" => {
                     let word = self.text(value);
-                    severity = match word.as_str() {
-                        "warn" => Some(Severity::Warn),
-                        "derate" => Some(Severity::Derate),
-                        "stop" => Some(Severity::Stop),
-                        _ => {
-                            let known = ["warn", "derate", "stop"];
-                            self.unknown(value.span().start, "level", &word, known.into_iter());
-                            None
-                        }
-                    };
+                    severity = Severity::from_word(&word).filter(|severity| *severity != Severity::None);
+                    if severity.is_none() {
+                        let known = Severity::ALL.iter().filter(|severity| **severity != Severity::None);
+                        self.unknown(
+                            value.span().start,
+                            "level",
+                            &word,
+                            known.map(|severity| severity.word()),
+                        );
+                    }
                 }
                 name @ ("fire" | "limps") => match value.get_ref() {
                     DeValue::Boolean(flag) if name == "fire" => fire = *flag,

@@ -1,8 +1,9 @@
-//! What model values count in: physical units as fractions, states as words.
+//! What model values count in: physical units as fractions, states by the rows of the model.
 
 use crate::ratio::Ratio;
 use protocol_core::checksum::ChecksumKind;
 use protocol_core::model::{Unit, Value};
+use protocol_core::states::State;
 use protocol_core::vehicle::Node;
 
 /// Units of a DBC by what they measure: how many counts of the model one of them is, as a fraction.
@@ -53,30 +54,9 @@ pub(crate) fn accepted(unit: Unit) -> Vec<&'static str> {
     UNITS.iter().filter(|(of, ..)| *of == unit).map(|(_, name, ..)| *name).collect()
 }
 
-/// Returns the words of a unit of states; empty for a unit of numbers.
-pub(crate) fn words(unit: Unit) -> &'static [(&'static str, i32)] {
-    match unit {
-        Unit::Flag => &[("no", 0), ("yes", 1)],
-        Unit::Severity => &[("none", 0), ("warn", 1), ("derate", 2), ("stop", 3)],
-        Unit::Gear => &[
-            ("D", 1),
-            ("R", 2),
-            ("N", 3),
-            ("P", 4),
-            ("D1", 11),
-            ("D2", 12),
-            ("D3", 13),
-            ("D4", 14),
-            ("D5", 15),
-            ("D6", 16),
-        ],
-        Unit::Contactor => &[("open", 0), ("closed", 1), ("welded", 2), ("fault", 3)],
-        Unit::Run => &[("stopped", 0), ("running", 1), ("fault", 2)],
-        Unit::Charge => &[("idle", 0), ("charging", 1), ("complete", 2), ("fault", 3)],
-        Unit::Key => &[("lock", 0), ("acc", 1), ("on", 2), ("start", 3)],
-        Unit::Fan => &[("low", 0), ("medium", 1), ("high", 2)],
-        _ => &[],
-    }
+/// Returns the states of a unit of states; none for a unit of numbers.
+pub(crate) fn states(unit: Unit) -> &'static [State] {
+    unit.kind().map_or(&[], |kind| kind.states)
 }
 
 /// Returns the name of the variant of `Value`.

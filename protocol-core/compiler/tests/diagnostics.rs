@@ -86,6 +86,21 @@ fn a_right_vehicle_has_nothing_wrong() {
 }
 
 #[test]
+fn a_state_that_is_written_as_it_is_known_elsewhere_is_told_its_word() {
+    let bound =
+        |state: &str| TOML.replace("vehicle.gear = { signal = \"gear\", map = { creep = \"D1\" } }", state);
+    let of = |state: &str| wrong(DBC, &bound(state));
+    let map = "map = { N = \"idle\", D = \"charging\", creep = ";
+    let charge = |state: &str| of(&format!("charge.state = {{ signal = \"gear\", {map}{state} }} }}"));
+    only(charge("\"not charging\""), "vehicle.toml:11: `not charging` is written `idle` in `charge.state`");
+    only(charge("\"充满\""), "vehicle.toml:11: `充满` is written `complete` in `charge.state`");
+    only(charge("3"), "vehicle.toml:11: `3` is written `fault` in `charge.state`");
+    assert_eq!(charge("\"complete\""), Vec::<String>::new());
+    let mode = "vehicle.mode = { signal = \"gear\", map = { N = 1, D = \"drive\", creep = \"limp\" } }";
+    only(of(mode), "vehicle.toml:11: `1` is written `park` in `vehicle.mode`");
+}
+
+#[test]
 fn a_syntax_error_of_the_dbc_names_its_line() {
     for (old, new, line) in [
         (r#" SG_ gear : 16|4@1+ (1,0)"#, r#" SG_ gear : 16|4@1+ (1;0)"#, 11),
@@ -311,7 +326,7 @@ fn a_vehicle_that_is_not_shipped_is_in_the_tools_list_and_in_no_image() {
         let toml = TOML.replace("en = \"Car\"\n", &format!("en = \"Car\"\n{shipped}"));
         fs::write(vehicle.join("vehicle.toml"), toml).expect("a file");
     }
-    vehicle_compiler::write(root.path()).expect("right vehicles");
+    write(root.path()).expect("right vehicles");
     let lists = root.path().join(vehicle_compiler::GENERATED).join("mod.rs");
     let lists = fs::read_to_string(lists).expect("the lists");
     let list = |name: &str| {

@@ -675,17 +675,17 @@ fn decode_plain(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Plain(*data);
     let raw = frame.crooked_raw();
     readings.put(source, Value::VehicleSpeed, (raw as i32) * 64 - 2560, raw <= 4040 && raw != 77);
-    let state = STATES_0[(frame.state_raw() & 7) as usize];
-    readings.put(source, Value::VehicleMode, state, state != INVALID);
     let raw = frame.flag_raw();
     readings.put(source, Value::VehicleFault, raw as i32, true);
-    let worst = STATES_1[(frame.state_raw() & 7) as usize];
-    let worst = i32::max(worst, STATES_2[(frame.flag_raw() & 1) as usize]);
+    let worst = STATES_0[(frame.state_raw() & 7) as usize];
+    let worst = i32::max(worst, STATES_1[(frame.flag_raw() & 1) as usize]);
     readings.put(source, Value::VehicleFaultLevel, worst, worst != INVALID);
     let raw = frame.falling_raw();
     readings.put(source, Value::BatteryCurrent, (raw as i32) * -5 + 35, true);
     let raw = frame.signed_nibble_raw();
     readings.put(source, Value::MotorTemperature, raw as i32, true);
+    let state = STATES_2[(frame.state_raw() & 7) as usize];
+    readings.put(source, Value::MotorFaultCode, state, state != INVALID);
     let raw = frame.motorola_raw();
     readings.put(source, Value::DcdcOutput, raw as i32, true);
 }
@@ -698,11 +698,11 @@ fn decode_wide(source: u8, data: &[u8; 8], readings: &mut Readings) {
     readings.put(source, Value::BatteryCellMax, (raw as i32).abs(), true);
 }
 
-static STATES_0: [i32; 8] = [7, INVALID, 5, 6, 5, 6, 6, 6];
+static STATES_0: [i32; 8] = [0, 1, 2, INVALID, 3, INVALID, INVALID, INVALID];
 
-static STATES_1: [i32; 8] = [0, 1, 2, INVALID, 3, INVALID, INVALID, INVALID];
+static STATES_1: [i32; 2] = [0, 3];
 
-static STATES_2: [i32; 2] = [0, 3];
+static STATES_2: [i32; 8] = [7, INVALID, 5, 6, 5, 6, 6, 6];
 
 static DECODERS: [fn(u8, &[u8; 8], &mut Readings); 2] = [
     decode_plain,

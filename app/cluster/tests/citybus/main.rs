@@ -73,12 +73,12 @@ impl Ride {
 
 #[test]
 fn bus_36_gear_codes_of_vcu1() {
-    use Gear::{D, Forward, N, P, R};
+    use Gear::{D, D1, N, P, R};
     let gears = [
         (0b0000, None),
         (0b0001, Some(D)),
         (0b0010, Some(R)),
-        (0b0011, Some(Forward(1))),
+        (0b0011, Some(D1)),
         (0b0100, Some(N)),
         (0b0111, None),
         (0b1000, Some(P)),

@@ -102,7 +102,7 @@ fn jl_r031_remote_upgrade_is_allowed_only_while_the_vehicle_is_known_to_be_parke
     // Gears in the model's numbers; 0 and 20 are none.
     let parked = [Gear::N, Gear::P];
     for gear in 0..=20 {
-        let is_parked = Gear::from_model(gear.into()).is_some_and(|gear| parked.contains(&gear));
+        let is_parked = Gear::from_number(gear.into()).is_some_and(|gear| parked.contains(&gear));
         for kmh in [0, 1, 80] {
             for ready in [0, 1] {
                 let expected = !(is_parked && kmh == 0 && ready == 0);

@@ -3,8 +3,8 @@
 use cluster::page::{Count, Page, Part, ROWS};
 use cluster::view::{Limp, List, Listed, Sheet};
 use cluster::{Button, Cluster, Controller, Inputs, Sound, Trip, View};
-use protocol_core::link::CanState;
 use protocol_core::model::{Readings, Shown, Value as V};
+use protocol_core::states::Confinement;
 use protocol_core::vehicle::{FaultText, NO_VEHICLE, Node, RxMessage, Vehicle};
 use protocol_core::{CanFrame, CanId, Millis, Severity};
 use std::collections::BTreeMap;
@@ -523,7 +523,7 @@ fn the_bus_s_counters_are_the_controller_s_and_the_cluster_s() {
     let of = |drive: &Drive, count: Count| drive.sheet().cells[count as usize];
     assert_eq!(of(&drive, Count::State), Shown::Never, "nobody says");
     drive.inputs.controller = Some(Controller {
-        state: CanState::ErrorPassive,
+        state: Some(Confinement::ErrorPassive),
         transmit_errors: 130,
         receive_errors: 7,
         sent: 11,

@@ -18,14 +18,7 @@ fn bus_r015_no_gear_information_no_gear_icon() {
 
 #[test]
 fn bus_36_every_defined_gear_is_shown() {
-    let gears = [
-        (1, Gear::D),
-        (2, Gear::R),
-        (3, Gear::N),
-        (4, Gear::P),
-        (11, Gear::Forward(1)),
-        (16, Gear::Forward(6)),
-    ];
+    let gears = [(1, Gear::D), (2, Gear::R), (3, Gear::N), (4, Gear::P), (11, Gear::D1), (16, Gear::D6)];
     let mut drive = Drive::healthy();
     for (number, gear) in gears {
         drive.gear_and_speed(number, 0);

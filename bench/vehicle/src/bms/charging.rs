@@ -9,7 +9,7 @@ use super::contactors::{Wish, conducts};
 use super::pack::Load;
 use super::spec::spec;
 use super::{SILENCE_MS, count_while};
-use crate::world::{ChargeState, ChargerBounds, ChargerTrips, Turn, World};
+use crate::world::{Charge, ChargerBounds, ChargerTrips, Turn, World};
 use crate::{Kind, STEP_MS, STEP_S};
 use protocol_core::model::Severity::{self, Derate, Stop, Warn};
 use protocol_core::vehicle::Node;
@@ -131,17 +131,17 @@ fn decide(world: &mut World) -> Wish {
     let charger_fault = plug && (world.charger.severity == Stop || world.charger.trips.is_protection());
     let refused = bms.forbids_charging || bms.hv_off_request || bms.isolated;
     bms.charge = match bms.charge {
-        _ if !world.charger.plugged && !pantograph => ChargeState::Idle,
-        _ if refused || charger_lost || charger_fault => ChargeState::Fault,
-        ChargeState::Complete => ChargeState::Complete,
-        _ if !plug && !pantograph => ChargeState::Idle,
-        _ if plug && !bms.charger_heard => ChargeState::Idle,
-        _ if closed => ChargeState::Charging,
-        _ => ChargeState::Idle,
+        _ if !world.charger.plugged && !pantograph => Charge::Idle,
+        _ if refused || charger_lost || charger_fault => Charge::Fault,
+        Charge::Complete => Charge::Complete,
+        _ if !plug && !pantograph => Charge::Idle,
+        _ if plug && !bms.charger_heard => Charge::Idle,
+        _ if closed => Charge::Charging,
+        _ => Charge::Idle,
     };
     let ready = if plug { bms.charger_heard } else { pantograph };
-    let wants = ready && matches!(bms.charge, ChargeState::Idle | ChargeState::Charging);
-    bms.charger_enabled = wants && bms.charge == ChargeState::Charging;
+    let wants = ready && matches!(bms.charge, Charge::Idle | Charge::Charging);
+    bms.charger_enabled = wants && bms.charge == Charge::Charging;
     // The current at which the highest cell would just reach its end.
     let to_full = world.charger.amps + (FULL_CELL_VOLTS - bms.cell_max.value) / ohm;
     let rate = CHARGE_RATE * world.pack.capacity_ah;
@@ -263,12 +263,9 @@ fn complete(world: &mut World) {
     let full = world.bms.cell_max.value >= FULL_CELL_VOLTS - FULL_TOLERANCE_VOLTS;
     let down = world.charger.amps < TAIL_RATE * world.pack.capacity_ah;
     let bms = &mut world.bms;
-    count_while(
-        bms.charge == ChargeState::Charging && world.charger.running && full && down,
-        &mut bms.tail_ms,
-    );
+    count_while(bms.charge == Charge::Charging && world.charger.running && full && down, &mut bms.tail_ms);
     if bms.tail_ms >= TAIL_MS {
-        bms.charge = ChargeState::Complete;
+        bms.charge = Charge::Complete;
         bms.charge_interval_days = 0;
         world.pack.soc = 1.0;
     }
@@ -276,7 +273,7 @@ fn complete(world: &mut World) {
 
 /// Counts the day on: one more if it was driven for more than an hour (BUS-R084).
 fn day(world: &mut World) {
-    let drives = world.vcu.ready && world.bms.charge != ChargeState::Charging;
+    let drives = world.vcu.ready && world.bms.charge != Charge::Charging;
     let bms = &mut world.bms;
     bms.day.passed_ms += STEP_MS;
     bms.day.driven_ms += if drives { STEP_MS } else { 0 };
@@ -290,7 +287,7 @@ fn day(world: &mut World) {
 /// Stops everything: power-off.
 pub(super) fn stop(world: &mut World) {
     let bms = &mut world.bms;
-    bms.charge = ChargeState::Idle;
+    bms.charge = Charge::Idle;
     bms.charger_enabled = false;
     bms.wanted_charge = (0.0, 0.0);
     bms.tail_ms = 0;

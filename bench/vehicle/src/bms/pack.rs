@@ -183,7 +183,7 @@ pub(super) fn measure(world: &mut World) {
     pack.volts = pack.volts_override.unwrap_or(pack.terminal_volts);
     pack.amps = pack.amps_override.unwrap_or(if sensor_dead { 0.0 } else { pack.terminal_amps });
     pack.soc = (pack.soc - pack.amps * STEP_S / (3_600.0 * pack.capacity_ah)).clamp(0.0, 1.0);
-    world.bms.balancing = world.bms.charge == crate::world::ChargeState::Charging
+    world.bms.balancing = world.bms.charge == crate::world::Charge::Charging
         && world.bms.cell_max.value > BALANCING_FROM_VOLTS
         && world.bms.cell_max.value - world.bms.cell_min.value > BALANCING_VOLTS;
 }

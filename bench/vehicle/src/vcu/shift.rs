@@ -29,6 +29,8 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
         Gear::D => (world.vcu.ready && forwards_kmh >= -AGAINST_KMH, forwards_kmh < -AGAINST_KMH),
         Gear::R => (world.vcu.ready && forwards_kmh <= AGAINST_KMH, forwards_kmh > AGAINST_KMH),
         Gear::P => (world.motion.kmh() < PARK_KMH, world.motion.kmh() >= PARK_KMH),
+        // A gearbox: no lever of these vehicles has it.
+        Gear::D1 | Gear::D2 | Gear::D3 | Gear::D4 | Gear::D5 | Gear::D6 => (false, true),
     };
     let exists = spec.gears.contains(&lever);
     world.vcu.gear = Some(if possible && exists { lever } else { Gear::N });

@@ -8,7 +8,7 @@ use super::rows::{Row, Sheet, bit, fixed, flag, value};
 use super::truth::{
     alarm, gear, heard_soc, leak, motor_fault, pack_amps, pack_volts, plugged, soc, speed, word,
 };
-use crate::world::{ChargeState, Contactor, Gear, RelayState};
+use crate::world::{Charge, Contactor, Gear, RelayState};
 use protocol_core::model::Severity;
 use protocol_core::vehicle::Node;
 
@@ -81,7 +81,7 @@ const BMSC: &[Row] = &[
     flag("precharge_fault", |world| world.bms.precharge_failed),
     flag("negative_contactor", |world| is_shut(&world.bms.negative)),
     flag("positive_contactor", |world| is_shut(&world.bms.main)),
-    flag("charging", |world| world.bms.charge == ChargeState::Charging),
+    flag("charging", |world| world.bms.charge == Charge::Charging),
     flag("charge_gun", plugged),
     flag("positive_open_request", |world| world.bms.hv_off_request),
 ];
@@ -190,7 +190,7 @@ const VCU_TO_CLUSTER: &[Row] = &[
     flag("motor_fault", motor_fault),
     flag("ready", |world| world.vcu.ready),
     flag("system_fault", |world| world.vcu.system_fault),
-    flag("charging", |world| world.bms.charge == ChargeState::Charging),
+    flag("charging", |world| world.bms.charge == Charge::Charging),
     fixed("ebd_fault", 0.0),
     fixed("abs_fault", 0.0),
     flag("turtle_mode", |world| world.vcu.limp || world.vcu.power_limited),

@@ -12,7 +12,7 @@ use super::truth::{
     motor_amps, motor_fault, pack_amps, pack_volts, plugged, probe_seat, protection, relay, soc, speed,
     status, word,
 };
-use crate::world::{ChargeState, Contactor, Gear, World};
+use crate::world::{Charge, Contactor, Gear, World};
 use protocol_core::model::Severity;
 
 pub(super) static SHEETS: &[Sheet] = &[
@@ -253,9 +253,9 @@ const BMS5: &[Row] = &[
         word(
             &[
                 (!world.charger.pantograph, 0.0),
-                (charge == ChargeState::Idle, 1.0),
-                (charge == ChargeState::Charging, 2.0),
-                (charge == ChargeState::Complete, 3.0),
+                (charge == Charge::Idle, 1.0),
+                (charge == Charge::Charging, 2.0),
+                (charge == Charge::Complete, 3.0),
             ],
             4.0,
         )

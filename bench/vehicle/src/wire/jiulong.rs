@@ -11,7 +11,7 @@ use super::truth::{
     probe_seat, protection, soc, speed, word,
 };
 use crate::drive::motor_severity;
-use crate::world::{ChargeState, Gear, World};
+use crate::world::{Charge, Gear, World};
 
 pub(super) static SHEETS: &[Sheet] = &[
     Sheet::of("VCU1", VCU1),
@@ -69,8 +69,8 @@ const VCU2: &[Row] = &[
         word(
             &[
                 (!world.charger.plugged, 0.0),
-                (charge == ChargeState::Idle, 1.0),
-                (charge == ChargeState::Charging, 2.0),
+                (charge == Charge::Idle, 1.0),
+                (charge == Charge::Charging, 2.0),
             ],
             3.0,
         )

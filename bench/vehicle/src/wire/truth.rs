@@ -4,7 +4,7 @@
 //! message has.
 
 use crate::Kind;
-use crate::world::{ChargeState, Gear, Part, RelayState, World};
+use crate::world::{Charge, Gear, Part, RelayState, World};
 use protocol_core::model::Severity;
 
 /// Numbers a choice of words, the first true one; `other` if none is.
@@ -78,6 +78,7 @@ pub(super) fn gear(world: &World, n: f64, d: f64, r: f64, p: Option<f64>) -> Opt
         Gear::D => Some(d),
         Gear::R => Some(r),
         Gear::P => p,
+        Gear::D1 | Gear::D2 | Gear::D3 | Gear::D4 | Gear::D5 | Gear::D6 => None,
     }
 }
 
@@ -115,10 +116,10 @@ pub(super) fn relay(state: RelayState) -> Option<f64> {
 /// The charging state as both bus and cluster count it: idle, charging, complete, fault.
 pub(super) fn charge_state(world: &World) -> Option<f64> {
     Some(match world.bms.charge {
-        ChargeState::Idle => 0.0,
-        ChargeState::Charging => 1.0,
-        ChargeState::Complete => 2.0,
-        ChargeState::Fault => 3.0,
+        Charge::Idle => 0.0,
+        Charge::Charging => 1.0,
+        Charge::Complete => 2.0,
+        Charge::Fault => 3.0,
     })
 }
 

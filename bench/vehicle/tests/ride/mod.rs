@@ -95,7 +95,7 @@ impl Ride {
 
     /// A readout.
     pub(crate) fn read(&self, path: &str) -> f64 {
-        self.vehicle.readout(path).unwrap_or_else(|| panic!("no readout {path}"))
+        self.vehicle.readout(path).unwrap_or_else(|| panic!("no readout {path}")).value
     }
 
     /// The last frame of a message.

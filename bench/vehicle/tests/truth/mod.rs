@@ -152,7 +152,7 @@ fn gear(world: &World, [n, d, r, p]: [f64; 4]) -> f64 {
         Some(Gear::D) => d,
         Some(Gear::R) => r,
         Some(Gear::P) => p,
-        Some(Gear::N) | None => n,
+        _ => n,
     }
 }
 
