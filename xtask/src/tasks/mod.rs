@@ -9,7 +9,7 @@ mod table;
 
 use crate::out::say;
 use crate::{firmware, workspace};
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
 use clap::Args;
 use source::App;
 use std::process::Command;
@@ -49,12 +49,11 @@ pub fn run(options: &Options) -> Result<()> {
         rest.split_once(END).with_context(|| format!("{MAIN} has no line `{}`", END.trim()))?;
     say!("{}", table.text().trim_end())?;
     if options.check {
-        match table.check(standing, compiler) {
-            Ok(true) => {}
-            Ok(false) => {
-                say!("the table is of another compiler than {compiler}: times and stack not compared")?
-            }
-            Err(difference) => bail!("{MAIN}: {difference}; `cargo xtask tasks` writes what is"),
+        let is_compared = table
+            .check(standing, compiler)
+            .map_err(|difference| anyhow!("{MAIN}: {difference}; `cargo xtask tasks` writes what is"))?;
+        if !is_compared {
+            say!("the table is of another compiler than {compiler}: times and stack not compared")?;
         }
     } else {
         std::fs::write(&path, format!("{head}{BEGIN}{}{END}{tail}", table.text()))?;
