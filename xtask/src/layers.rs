@@ -33,7 +33,7 @@ const LAYERS: &[Layer] = &[
     Layer { name: "protocol-core", may_use: &[], never: HARDWARE },
     Layer { name: "cluster", may_use: &["protocol-core"], never: HARDWARE },
     Layer { name: "ui", may_use: &["cluster", "protocol-core"], never: HARDWARE },
-    Layer { name: "mcp2515-can", may_use: &["protocol-core"], never: &["rp2040-hal", "rtic", "cortex-m"] },
+    Layer { name: "mcp2515-can", may_use: &[], never: &["rp2040-hal", "rtic", "cortex-m"] },
     Layer { name: "tft", may_use: &[], never: &["rp2040-hal", "rtic", "cortex-m"] },
     Layer { name: "pico", may_use: &["mcp2515-can", "tft", "protocol-core"], never: &["rtic"] },
     Layer {

@@ -27,7 +27,10 @@ fn collect(folder: &Path, ending: &str, found: &mut BTreeMap<char, PathBuf>) {
 fn every_character_of_every_text_has_a_glyph() {
     let root = surroundings::root();
     let mut found = BTreeMap::new();
-    collect(&root.join("app/cluster"), ".rs", &mut found);
+    for text in cluster::texts::ALL {
+        let characters = [text.zh, text.en].into_iter().flat_map(str::chars);
+        found.extend(characters.filter(|c| !c.is_ascii()).map(|c| (c, PathBuf::from("cluster::texts"))));
+    }
     collect(&root.join("app/ui/src"), "words.rs", &mut found);
     collect(&root.join("vehicles"), ".toml", &mut found);
     let missing: Vec<_> = found.iter().filter(|(character, _)| !ui::has_glyph(**character)).collect();

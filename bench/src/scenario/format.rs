@@ -537,7 +537,7 @@ mod tests {
             let place = format!("citybus/test.toml:{line}: ");
             assert!(lines.iter().any(|l| l.starts_with(&place) && l.contains(part)), "{line}: {part}\n{all}");
         };
-        has(3, "no lamp `redy`; there are turn_left");
+        has(3, "no telltale `redy`; there are turn_left");
         has(4, "`sound` is never `revers`; it is one of none, fire, stop, reverse");
         has(5, "1 s comes after 2 s");
         has(5, "`gear` is no number; it is one of none, D, R");
