@@ -17,6 +17,7 @@ use protocol_core::link::{Decoder, Health, Record, Sample, Screen};
 use protocol_core::vehicle::Node;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
+use crate::switches::SWITCHES;
 use virtual_vehicle::{Kind, VirtualVehicle, World};
 
 /// The panel module that is soldered on.
@@ -464,26 +465,6 @@ impl Rig {
 /// The cluster's buttons: next, menu.
 const BUTTONS: [u8; 2] = [2, 3];
 
-/// A switch of the vehicle, to ground.
-struct Switch {
-    pin: u8,
-    is_closed: fn(&World) -> bool,
-}
-
-const fn switch(pin: u8, is_closed: fn(&World) -> bool) -> Switch {
-    Switch { pin, is_closed }
-}
-
-const SWITCHES: [Switch; 7] = [
-    switch(4, |world| world.body.front_door),
-    switch(5, |world| world.body.rear_door),
-    switch(6, |world| world.driver.seat_empty),
-    switch(7, |world| world.driver.parking_brake),
-    switch(14, |world| world.body.smoke),
-    switch(21, |world| world.body.turn_left),
-    switch(22, |world| world.body.turn_right),
-];
-
 /// Millivolts on GPIO 26 to 28: supply, front and rear air reservoir.
 const ANALOG: [fn(&World) -> u32; 3] = [
     |world| at_pin(world.supply.volts / SUPPLY_DIVIDER),
@@ -514,7 +495,7 @@ fn pico_wiring() -> Wiring {
         can: CanWiring { spi: 0, cs: 17, int: 20 },
         panel: PanelWiring { spi: 1, cs: 9, dc: 8, reset: Some(12), backlight: Some(13) },
         buzzer: Some(15),
-        buttons: BUTTONS.into_iter().chain(SWITCHES.map(|switch| switch.pin)).collect(),
+        buttons: BUTTONS.into_iter().chain(SWITCHES.iter().map(|switch| switch.pin)).collect(),
         uart: 0,
     }
 }

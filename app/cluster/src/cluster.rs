@@ -101,9 +101,15 @@ impl Cluster {
         self.odometer.restore(odometer_km8);
     }
 
-    /// Sets what a workshop may switch.
-    pub fn configure(&mut self, options: Options) {
+    /// Returns the cluster with what whoever builds it may switch.
+    pub const fn with(mut self, options: Options) -> Self {
         self.timers.options = options;
+        self
+    }
+
+    /// Takes what the instrument knows of itself: shown from now on.
+    pub(crate) fn know(&mut self, conditions: Conditions) {
+        self.conditions = conditions;
     }
 
     /// Sets a trip to zero.
@@ -132,7 +138,7 @@ impl Cluster {
         self.started.get_or_insert(now);
         let listening = *self.listening.get_or_insert(now);
         self.feel(inputs, now);
-        (self.controller, self.conditions) = (inputs.controller, inputs.conditions);
+        self.controller = inputs.controller;
         inputs::file(inputs, &mut self.reception.readings);
         self.silent = self.reception.silent_nodes(self.vehicle, listening, BOOT_MS, now);
         self.measure(now);
@@ -182,7 +188,7 @@ impl Cluster {
         let not_ready = self.shown(Value::VehicleReady, now) == Shown::Value(0);
         let odometer = i32::try_from(self.odometer.km8()).unwrap_or(i32::MAX);
         let decisions = [
-            (Value::ClusterDriverLeft, flag(inputs.seat_empty && driving_gear)),
+            (Value::ClusterDriverLeft, flag(inputs.contacts.is_closed(Value::BodySeatEmpty) && driving_gear)),
             (Value::ClusterUpgradeForbidden, flag(!(standing && parked && not_ready))),
             (Value::ClusterOdometer, Reading::Valid(odometer)),
             (Value::ClusterHardware, Reading::Valid(HARDWARE)),

@@ -1,29 +1,58 @@
-//! A push of a button out of the level of its wire, sampled every tick.
+//! The levels of wires out of samples: bounces are shorter than three ticks, 30 ms.
 
-/// Equal samples that make a level: bounces are shorter.
-const STEADY: u8 = 3;
-
-/// One wire.
+/// Up to 32 wires, bit by bit; each has its own level.
 #[derive(Clone, Copy)]
 pub(crate) struct Debounce {
-    is_down: bool,
-    /// Samples in a row that differ from `is_down`.
-    differ: u8,
+    levels: u32,
+    /// The samples before, the older first: with the next one they are the three that make a level.
+    before: [u32; 2],
 }
 
 impl Debounce {
-    /// Returns a wire that is up; a button held down since power-on counts once.
-    pub(crate) const fn new() -> Self {
-        Self { is_down: false, differ: 0 }
+    /// Returns wires that have had these levels for long.
+    pub(crate) const fn new(levels: u32) -> Self {
+        Self { levels, before: [levels; 2] }
     }
 
-    /// Takes one sample; returns whether it completes a push.
-    pub(crate) fn pushed(&mut self, down: bool) -> bool {
-        self.differ = if down == self.is_down { 0 } else { self.differ + 1 };
-        if self.differ < STEADY {
-            return false;
+    /// Takes a sample of every wire and returns the levels: one changes with the third equal sample in a row.
+    pub(crate) fn sample(&mut self, sample: u32) -> u32 {
+        let [first, second] = self.before;
+        let differ = first ^ second | second ^ sample;
+        self.levels = self.levels & differ | sample & !differ;
+        self.before = [second, sample];
+        self.levels
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A second statement, for one wire: the level of the last three samples that were equal.
+    fn stated(start: u32, samples: &[u32]) -> u32 {
+        let at = |place: usize| place.checked_sub(3).map_or(start, |place| samples[place]);
+        let mut ends = (2..samples.len() + 3).rev();
+        ends.find(|&end| at(end) == at(end - 1) && at(end) == at(end - 2)).map_or(start, at)
+    }
+
+    #[test]
+    fn a_level_is_what_the_last_three_equal_samples_were_in_every_history() {
+        for history in 0..1_u32 << 12 {
+            for start in [0, 1] {
+                let samples: [u32; 12] = core::array::from_fn(|place| history >> place & 1);
+                let mut wires = Debounce::new(start);
+                for (index, sample) in samples.iter().enumerate() {
+                    assert_eq!(wires.sample(*sample), stated(start, &samples[..=index]), "{samples:?}");
+                }
+            }
         }
-        (self.is_down, self.differ) = (down, 0);
-        down
+    }
+
+    #[test]
+    fn a_wire_that_bounces_holds_up_no_other() {
+        const STEADY: u32 = 1 << 31;
+        let mut wires = Debounce::new(0);
+        let levels: [u32; 6] = core::array::from_fn(|tick| wires.sample(STEADY | tick as u32 & 1));
+        assert_eq!(levels, [0, 0, STEADY, STEADY, STEADY, STEADY]);
     }
 }

@@ -1,50 +1,78 @@
 //! The cluster's own wires: what comes in without a bus, as plain data.
 //!
-//! Owns the list of inputs and the table that files them as local model values, so that lamps, faults and sent
-//! messages read them like anything else. Refuses to know pins, dividers and debouncing of hardware.
+//! Owns the list of contacts and files every input as a local model value, so that telltales, faults and sent messages
+//! read them like anything else. Refuses to know pins, dividers and bouncing.
 //! Source: bus document, Meter1 BYTE1 to BYTE7; BUS-R128, BUS-94 to BUS-96.
 
-use crate::own::Conditions;
 use protocol_core::model::{Reading, Readings, Value};
 use protocol_core::states::Confinement;
 
 pub use protocol_core::states::Key;
 
-/// Which doors are open.
+/// Which contacts are closed, each known by the model value that it says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Doors {
-    /// Entry door.
-    pub front: bool,
-    /// Middle door; stays `false` on a two-door bus (BUS-R128).
-    pub middle: bool,
-    /// Exit door.
-    pub rear: bool,
-    /// Rear hatch.
-    pub hatch: bool,
+pub struct Contacts(u32);
+
+impl Contacts {
+    /// Every contact that a vehicle may have; a board wires some of them. Open is the usual case: a closed door, a
+    /// released brake, a lamp that is off.
+    pub const ALL: &'static [Value] = &[
+        Value::BodyDoorFront,
+        // Stays open on a two-door bus (BUS-R128).
+        Value::BodyDoorMiddle,
+        Value::BodyDoorRear,
+        Value::BodyDoorHatch,
+        Value::BodyParkingBrake,
+        Value::BodySmoke,
+        Value::BodySeatEmpty,
+        Value::BodyHorn,
+        Value::BodyLowBeam,
+        Value::BodyHighBeam,
+        Value::BodyBrakeLamp,
+        // Blinking as the flasher does.
+        Value::BodyTurnRight,
+        Value::BodyTurnLeft,
+        Value::BodyHazard,
+        Value::BodyFrontFog,
+        Value::BodyRearFog,
+        Value::BodySideLamp,
+    ];
+
+    /// Returns the contacts of which these are closed; a value that is no contact's changes nothing.
+    pub fn closed(values: impl IntoIterator<Item = Value>) -> Self {
+        values.into_iter().fold(Self::default(), |mut contacts, value| {
+            contacts.set(value, true);
+            contacts
+        })
+    }
+
+    /// Closes or opens the contact of `value`; a value that is no contact's changes nothing.
+    pub fn set(&mut self, value: Value, is_closed: bool) {
+        let bit = Self::bit(value);
+        self.0 = if is_closed { self.0 | bit } else { self.0 & !bit };
+    }
+
+    /// Returns whether the contact of `value` is closed.
+    pub fn is_closed(self, value: Value) -> bool {
+        self.0 & Self::bit(value) != 0
+    }
+
+    fn bit(value: Value) -> u32 {
+        Self::ALL.iter().position(|known| *known == value).map_or(0, |place| 1 << place)
+    }
+
+    /// Returns the contacts as bits, bit n = n-th of [`Self::ALL`]; 1 = closed.
+    pub(crate) const fn bits(self) -> u32 {
+        self.0
+    }
+
+    /// Returns the contacts of these bits.
+    pub(crate) const fn of_bits(bits: u32) -> Self {
+        Self(bits)
+    }
 }
 
-/// Which lights are on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Lights {
-    /// Dipped beam.
-    pub low_beam: bool,
-    /// Main beam.
-    pub high_beam: bool,
-    /// Brake lamps.
-    pub brake: bool,
-    /// Right direction indicator, blinking as the flasher does.
-    pub turn_right: bool,
-    /// Left direction indicator, blinking as the flasher does.
-    pub turn_left: bool,
-    /// Hazard warning.
-    pub hazard: bool,
-    /// Front fog lamps.
-    pub front_fog: bool,
-    /// Rear fog lamps.
-    pub rear_fog: bool,
-    /// Side lamps.
-    pub side: bool,
-}
+const _: () = assert!(Contacts::ALL.len() <= u32::BITS as usize, "one bit per contact");
 
 /// A button of the cluster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +83,7 @@ pub enum Button {
     Menu,
 }
 
-/// Which buttons are held down, as wired; bouncing is filtered here.
+/// Which buttons are held down, as wired: with their bounces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Buttons {
     /// [`Button::Next`].
@@ -84,18 +112,8 @@ pub struct Controller {
 pub struct Inputs {
     /// Key position.
     pub key: Key,
-    /// Doors.
-    pub doors: Doors,
-    /// Lights.
-    pub lights: Lights,
-    /// Nobody sits on the driver's seat.
-    pub seat_empty: bool,
-    /// The parking brake is set.
-    pub parking_brake: bool,
-    /// The smoke detector gives alarm.
-    pub smoke: bool,
-    /// The horn is pressed.
-    pub horn: bool,
+    /// Contacts of the body.
+    pub contacts: Contacts,
     /// Low-voltage supply in 0.1 V; `None` = cannot be measured.
     pub supply_decivolts: Option<u16>,
     /// Front brake air reservoir in 0.01 MPa; `None` = no sensor, or one that is broken.
@@ -106,36 +124,7 @@ pub struct Inputs {
     pub buttons: Buttons,
     /// The CAN controller; `None` = there is none to ask.
     pub controller: Option<Controller>,
-    /// What the instrument knows of itself.
-    pub conditions: Conditions,
 }
-
-/// The model value that an input is filed as, and how it is read.
-type Row = (Value, fn(&Inputs) -> Reading);
-
-const ROWS: &[Row] = &[
-    (Value::BodyKey, |i| Reading::Valid(i.key.number())),
-    (Value::BodyDoorFront, |i| flag(i.doors.front)),
-    (Value::BodyDoorMiddle, |i| flag(i.doors.middle)),
-    (Value::BodyDoorRear, |i| flag(i.doors.rear)),
-    (Value::BodyDoorHatch, |i| flag(i.doors.hatch)),
-    (Value::BodyParkingBrake, |i| flag(i.parking_brake)),
-    (Value::BodySmoke, |i| flag(i.smoke)),
-    (Value::BodySeatEmpty, |i| flag(i.seat_empty)),
-    (Value::BodyHorn, |i| flag(i.horn)),
-    (Value::BodyLowBeam, |i| flag(i.lights.low_beam)),
-    (Value::BodyHighBeam, |i| flag(i.lights.high_beam)),
-    (Value::BodyBrakeLamp, |i| flag(i.lights.brake)),
-    (Value::BodyTurnRight, |i| flag(i.lights.turn_right)),
-    (Value::BodyTurnLeft, |i| flag(i.lights.turn_left)),
-    (Value::BodyHazard, |i| flag(i.lights.hazard)),
-    (Value::BodyFrontFog, |i| flag(i.lights.front_fog)),
-    (Value::BodyRearFog, |i| flag(i.lights.rear_fog)),
-    (Value::BodySideLamp, |i| flag(i.lights.side)),
-    (Value::SupplyVoltage, |i| measured(i.supply_decivolts)),
-    (Value::AirFront, |i| measured(i.air_front_centimpa)),
-    (Value::AirRear, |i| measured(i.air_rear_centimpa)),
-];
 
 /// Returns the reading of a yes or no.
 pub(crate) fn flag(on: bool) -> Reading {
@@ -148,9 +137,16 @@ fn measured(value: Option<u16>) -> Reading {
 
 /// Files `inputs` as local values; what the vehicle sends on its bus has precedence over the own wire.
 pub(crate) fn file(inputs: &Inputs, readings: &mut Readings) {
-    for &(value, read) in ROWS {
+    let contacts = Contacts::ALL.iter().map(|&value| (value, flag(inputs.contacts.is_closed(value))));
+    let others = [
+        (Value::BodyKey, Reading::Valid(inputs.key.number())),
+        (Value::SupplyVoltage, measured(inputs.supply_decivolts)),
+        (Value::AirFront, measured(inputs.air_front_centimpa)),
+        (Value::AirRear, measured(inputs.air_rear_centimpa)),
+    ];
+    for (value, reading) in contacts.chain(others) {
         if readings.get(value).is_none_or(|(_, source)| source == Readings::LOCAL) {
-            readings.set(Readings::LOCAL, value, read(inputs));
+            readings.set(Readings::LOCAL, value, reading);
         }
     }
 }

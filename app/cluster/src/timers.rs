@@ -10,7 +10,7 @@ use protocol_core::Millis;
 use protocol_core::model::Value;
 use protocol_core::vehicle::{Node, Vehicle};
 
-/// What a workshop may switch.
+/// What whoever builds the cluster may switch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Tells that a running air conditioning has lost its link (BUS-23: off by default).

@@ -6,9 +6,9 @@
 //! | `panel_done`  | DMA 0 at its end      | 3        | 2 us       | tile done            |                      |
 //! | `link_done`   | DMA 1 at its end      | 3        | 5 us       |                      | link                 |
 //! | (timer queue) | TIMER alarm           | 3        | 10 us      |                      |                      |
-//! | `tick`        | every 10 ms           | 2        | 2 ms, 12 * | frames (out), wires  | can, cluster         |
+//! | `tick`        | every 10 ms           | 2        | 2 ms, 12 * | frames (out), wires  | can, instrument      |
 //! | `draw`        | a new view            | 1        | 150 ms     | panel, tiles, screen | shown                |
-//! | `report`      | every 200 ms          | 1        | 5 ms       |                      | can, cluster, ...    |
+//! | `report`      | every 200 ms          | 1        | 5 ms       |                      | can, instrument, ... |
 //! | `idle`        | nothing else          | 0        |            |                      |                      |
 //!
 //! \* 5 ms in the tick that starts a CAN controller; interrupts stay on meanwhile.
@@ -17,8 +17,8 @@
 //! 250 kbit/s leaves 376 us. `draw` and `report` give way to each other at every `await`, to all else at once.
 //! `tick` feeds the watchdog, and only while `draw` makes progress: a cluster whose picture stands still is reset.
 //!
-//! The node only listens until `tick` is certain of the vehicle, at the bit rate at which frames are heard
-//! (`recognition`).
+//! The node only listens until the instrument is certain of the vehicle, at the bit rate at which frames are heard
+//! (`cluster::instrument`).
 //!
 //! Words of a panic or hard fault are kept over the reset, reported, and shown.
 
@@ -30,9 +30,8 @@
 )]
 
 mod can_node;
-mod conditions;
+mod config;
 mod queue;
-mod recognition;
 mod tasks;
 mod telemetry;
 mod wires;
@@ -45,16 +44,17 @@ use portable_atomic as _;
 mod app {
     use core::mem::MaybeUninit;
 
-    use cluster::{Cluster, View};
+    use cluster::{Instrument, View};
     use pico::{Backlight, Boot, Buzzer, Led, LinkPort, Memory, PanelPort};
     use rtic_monotonics::rp2040::prelude::*;
     use rtic_sync::make_signal;
     use rtic_sync::signal::{SignalReader, SignalWriter};
 
     use crate::can_node::CanNode;
+    use crate::config;
     use crate::queue::{FrameQueue, FrameReader, FrameWriter};
-    use crate::recognition::{self, Recognition};
     use crate::tasks::{Tile, Watch, draw, idle, link_done, panel_done, report, tick};
+    use crate::telemetry;
     use crate::wires::Wires;
 
     rp2040_timer_monotonic!(Mono);
@@ -62,7 +62,7 @@ mod app {
     #[shared]
     struct Shared {
         can: CanNode,
-        cluster: Cluster,
+        instrument: Instrument,
         /// What the panel shows.
         shown: View,
         link: LinkPort,
@@ -83,7 +83,6 @@ mod app {
         wires: Wires,
         buzzer: Buzzer,
         led: Led,
-        recognition: Recognition,
         watch: Watch,
     }
 
@@ -100,7 +99,8 @@ mod app {
         Mono::start(board.timer, &board.resets, Priority::rtic_default());
         pico::start_watchdog(&mut board.watchdog);
 
-        let can = CanNode::new(board.can_spi, board.can_int);
+        let instrument = config::instrument().after(telemetry::restart(&board.boot));
+        let can = CanNode::new(board.can_spi, board.can_int, instrument.access());
         let (frames_in, frames_out) = cx.local.queue.split();
         let (views_in, views_out) = make_signal!(View);
         let (tile_done_in, tile_done_out) = make_signal!(());
@@ -110,7 +110,7 @@ mod app {
         (
             Shared {
                 can,
-                cluster: recognition::cluster(),
+                instrument,
                 shown: View::default(),
                 link: board.link,
                 boot: board.boot,
@@ -132,7 +132,6 @@ mod app {
                 wires: Wires::new(board.buttons, board.body, board.gauges),
                 buzzer: board.buzzer,
                 led: board.led,
-                recognition: Recognition::new(),
                 watch: Watch::new(board.watchdog),
             },
         )
@@ -154,8 +153,8 @@ mod app {
 
         #[task(
             priority = 2,
-            local = [frames_out, views_in, wires, buzzer, led, recognition, watch],
-            shared = [can, cluster, &boot],
+            local = [frames_out, views_in, wires, buzzer, led, watch],
+            shared = [can, instrument],
         )]
         async fn tick(cx: tick::Context);
 
@@ -166,7 +165,7 @@ mod app {
         )]
         async fn draw(cx: draw::Context);
 
-        #[task(priority = 1, shared = [can, cluster, shown, link, &boot])]
+        #[task(priority = 1, shared = [can, instrument, shown, link, &boot])]
         async fn report(cx: report::Context);
 
         #[idle]

@@ -41,10 +41,11 @@ pub use panel_port::PanelPort;
 pub use retained::{Boot, Reset};
 pub use rp2040_hal::Watchdog;
 pub use rp2040_hal::pac;
-pub use small_parts::{Backlight, Body, BodyWires, Buttons, Buzzer, Led};
+pub use small_parts::{Backlight, BodyWires, Buttons, Buzzer, Led};
 
 use embedded_hal::spi::{MODE_0, MODE_3};
 use facts::LINK_RING;
+use protocol_core::Value;
 use rp2040_hal as hal;
 use rp2040_hal::clocks::ClocksManager;
 use rp2040_hal::dma::DMAExt;
@@ -108,6 +109,9 @@ pub struct Board {
     /// How this run began.
     pub boot: Boot,
 }
+
+/// Contacts of the body that have a pin.
+const CONTACTS: usize = 7;
 
 /// Brings the board up: clocks at 125 MHz, the timer running, the vector table in RAM, every part idle.
 ///
@@ -185,15 +189,15 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
         backlight: Backlight::new(backlight_slice),
         buzzer: Buzzer::new(buzzer_slice),
         buttons: Buttons { first: pins.gpio2.into_pull_up_input(), second: pins.gpio3.into_pull_up_input() },
-        body: BodyWires {
-            front_door: pins.gpio4.into_pull_up_input(),
-            rear_door: pins.gpio5.into_pull_up_input(),
-            seat_empty: pins.gpio6.into_pull_up_input(),
-            parking_brake: pins.gpio7.into_pull_up_input(),
-            smoke: pins.gpio14.into_pull_up_input(),
-            turn_left: pins.gpio21.into_pull_up_input(),
-            turn_right: pins.gpio22.into_pull_up_input(),
-        },
+        body: BodyWires([
+            (Value::BodyDoorFront, pins.gpio4.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyDoorRear, pins.gpio5.into_pull_up_input().into_dyn_pin()),
+            (Value::BodySeatEmpty, pins.gpio6.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyParkingBrake, pins.gpio7.into_pull_up_input().into_dyn_pin()),
+            (Value::BodySmoke, pins.gpio14.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyTurnLeft, pins.gpio21.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyTurnRight, pins.gpio22.into_pull_up_input().into_dyn_pin()),
+        ]),
         gauges,
         led: Led(pins.gpio25.into_push_pull_output_in_state(PinState::Low).into_pull_type()),
         link: LinkPort::new(uart, dma.ch1, &mut memory.link_ring),

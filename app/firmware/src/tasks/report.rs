@@ -89,7 +89,7 @@ pub async fn report(mut cx: Context<'_>) {
                 cx.shared.link.lock(|link| link.send(frame));
             }
         };
-        let vehicle = cx.shared.cluster.lock(|cluster| cluster.vehicle());
+        let vehicle = cx.shared.instrument.lock(|instrument| instrument.cluster().vehicle());
         if round.is_multiple_of(HELLO_ROUNDS) || greeted != Some(vehicle.name) {
             greeted = Some(vehicle.name);
             send(&telemetry::hello(vehicle));
@@ -104,12 +104,12 @@ pub async fn report(mut cx: Context<'_>) {
             let measured = Measured { draws, max_draw_us, idle_permille: sleep.permille() };
             let now_ms = now_us() / 1_000;
             let can = cx.shared.can.lock(|can| can.status());
-            let counters = cx.shared.cluster.lock(|cluster| cluster.counters());
+            let counters = cx.shared.instrument.lock(|instrument| instrument.cluster().counters());
             send(&telemetry::health(can, counters, &boot, measured, now_ms));
         }
         for first in (0..Value::COUNT).step_by(CHUNK) {
             let now = Millis(now_us() / 1_000);
-            let record = cx.shared.cluster.lock(|cluster| telemetry::values(cluster, first, now));
+            let record = cx.shared.instrument.lock(|it| telemetry::values(it.cluster(), first, now));
             send(&record);
         }
         let record = cx.shared.shown.lock(|view| telemetry::screen(view, now_us() / 1_000));
@@ -118,11 +118,11 @@ pub async fn report(mut cx: Context<'_>) {
             send(&cx.shared.shown.lock(|view| telemetry::trips(view)));
         }
         let now = Millis(now_us() / 1_000);
-        let of = |place| cx.shared.cluster.lock(|cluster| telemetry::active(cluster, place, now));
+        let of = |place| cx.shared.instrument.lock(|it| telemetry::active(it.cluster(), place, now));
         if !active.tell(now, of, &mut send) {
             send(&telemetry::ALL_CLEAR);
         }
-        let of = |place| cx.shared.cluster.lock(|cluster| telemetry::remembered(cluster, place));
+        let of = |place| cx.shared.instrument.lock(|it| telemetry::remembered(it.cluster(), place));
         remembered.tell(now, of, &mut send);
 
         round = round.wrapping_add(1);
