@@ -5,13 +5,12 @@ mod firmware;
 use bench::latency::{Change, Traffic, measure};
 use bench::log::Log;
 use bench::time::Nanos;
-use std::path::Path;
 
 /// Changes of each kind: the phase between the bus and the firmware's tick takes as many values.
 const CHANGES: usize = 60;
 
 fn held(change: Change, traffic: Traffic, median_ms: u64, worst_ms: u64) {
-    let city = Path::new(env!("CARGO_MANIFEST_DIR")).join("../vehicles/citybus/captures/city.log");
+    let city = surroundings::root().join("vehicles/citybus/captures/city.log");
     let city = Log::read_file(&city).unwrap();
     let times = measure(&firmware::elf(), &city, change, traffic, CHANGES).unwrap();
     let (median, worst) = (times.median(), times.worst());

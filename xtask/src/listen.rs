@@ -329,7 +329,7 @@ mod tests {
         let lines: Vec<_> =
             text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
         let expected = [
-            "hello firmware 0.1.0 for bus, build 00000007",
+            "hello firmware 0.1.0 for citybus, build 00000007",
             "value vehicle.speed 48.5 km/h",
             "value vehicle.gear D",
         ];

@@ -15,7 +15,7 @@ pub struct Options {
 }
 
 /// Packages whose tests run the firmware's image.
-const WITH_IMAGE: &[&str] = &["bench"];
+const WITH_IMAGE: &[&str] = &["bench", "xtask"];
 /// Packages whose tests ask a Python witness.
 const WITH_WITNESS: &[&str] = &["bench", "protocol-core", "virtual-vehicle", "xtask"];
 
@@ -149,7 +149,7 @@ mod tests {
             ("-p cluster -p bench", true, true),
             ("-p=bench@0.1.0", true, true),
             ("-p ben*", true, true),
-            ("--workspace --exclude bench", false, true),
+            ("--workspace --exclude bench", true, true),
             ("--workspace --exclude=cluster", true, true),
         ] {
             assert_eq!(packages(line).have_any_of(WITH_IMAGE), image, "image for `{line}`");

@@ -39,7 +39,10 @@ fn a_file_with_what_came_from_a_cluster_is_printed() {
     std::fs::write(&path, hello()).unwrap();
     let output = listen(path.to_str().unwrap());
     assert!(output.status.success(), "{output:?}");
-    assert_eq!(String::from_utf8(output.stdout).unwrap(), "hello   firmware 0.1.0 for bus, build 00000007\n");
+    assert_eq!(
+        String::from_utf8(output.stdout).unwrap(),
+        "hello   firmware 0.1.0 for citybus, build 00000007\n"
+    );
 }
 
 #[cfg(unix)]
@@ -77,7 +80,7 @@ fn a_serial_port_is_set_up_and_heard() {
     // Ends the program, heard or not.
     drop(pty);
     let output = child.wait_with_output().unwrap();
-    assert_eq!(heard.as_deref(), Some("hello   firmware 0.1.0 for bus, build 00000007"));
+    assert_eq!(heard.as_deref(), Some("hello   firmware 0.1.0 for citybus, build 00000007"));
     assert_eq!(output.status.code(), Some(1), "{output:?}");
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(said.contains("is gone"), "{said}");

@@ -258,7 +258,8 @@ mod tests {
 
     #[test]
     fn a_frame_decodes_to_the_signals_of_its_vehicle() {
-        let speed = MESSAGES[0].1.iter().find(|message| message.name == "VCU1").unwrap();
+        let (_, known) = MESSAGES.iter().find(|(vehicle, _)| *vehicle == "citybus").unwrap();
+        let speed = known.iter().find(|message| message.name == "VCU1").unwrap();
         let id = &messages(Some("citybus")).into_iter().find(|message| message.name == "VCU1").unwrap().id;
         let decoded = decode(id, "0000000000000000").unwrap();
         assert_eq!(decoded.len(), speed.signals.len());

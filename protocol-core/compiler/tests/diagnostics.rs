@@ -326,7 +326,7 @@ fn a_vehicle_that_is_not_shipped_is_in_the_tools_list_and_in_no_image() {
         let toml = TOML.replace("en = \"Car\"\n", &format!("en = \"Car\"\n{shipped}"));
         fs::write(vehicle.join("vehicle.toml"), toml).expect("a file");
     }
-    vehicle_compiler::write(root.path()).expect("right vehicles");
+    write(root.path()).expect("right vehicles");
     let lists = root.path().join(vehicle_compiler::GENERATED).join("mod.rs");
     let lists = fs::read_to_string(lists).expect("the lists");
     let list = |name: &str| {

@@ -312,7 +312,7 @@ fn of_words() -> (String, String) {
     }
     dbc.push_str(" ;\n");
     toml.push_str(
-        "[rx.as]\nvehicle.fault_code = \"break\"\n[rx.AllWords]\nvehicle.mode = { signal = \"type\", map = {",
+        "[rx.as]\nvehicle.fault_code = \"break\"\n[rx.AllWords]\nbattery.temperature.count = { signal = \"type\", map = {",
     );
     for (index, _) in words.iter().enumerate() {
         let _ = write!(toml, " {index} = {index},");
