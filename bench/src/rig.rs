@@ -10,6 +10,7 @@ use crate::join::{self, Members};
 use crate::log::Log;
 use crate::recent::Recent;
 use crate::rp2040::{Rp2040, Stop, image};
+use crate::switches::SWITCHES;
 use crate::time::Nanos;
 use anyhow::Result;
 use protocol_core::Value;
@@ -17,7 +18,6 @@ use protocol_core::link::{Decoder, Health, Record, Sample, Screen};
 use protocol_core::vehicle::Node;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
-use crate::switches::SWITCHES;
 use virtual_vehicle::{Kind, VirtualVehicle, World};
 
 /// The panel module that is soldered on.

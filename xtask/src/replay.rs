@@ -75,7 +75,12 @@ fn play(log: &Log, tables: Tables, json: bool, out: &mut impl Write) -> Result<(
     Ok(())
 }
 
-fn tick(instrument: &mut Instrument, screen: &mut Screen, now: Millis, out: &mut impl Write) -> io::Result<()> {
+fn tick(
+    instrument: &mut Instrument,
+    screen: &mut Screen,
+    now: Millis,
+    out: &mut impl Write,
+) -> io::Result<()> {
     instrument.tick(&Inputs::default(), now);
     // What it sends goes nowhere: the recording has its own.
     while instrument.offer(|_| true) {}
@@ -302,13 +307,15 @@ impl Tally {
         let counter = match can_frame(&entry.frame) {
             None => &mut self.remote,
             // An instrument for one vehicle keeps no frame for later.
-            Some(frame) => match instrument.hear(&frame, Millis(entry.at.0 / 1_000_000)).unwrap_or(Received::Unknown) {
-                Received::Stored => &mut self.taken,
-                Received::TooShort => &mut self.short,
-                Received::Damaged => &mut self.damaged,
-                Received::Unknown if tables.message(frame.id).is_some() => &mut self.for_others,
-                Received::Unknown => &mut self.unknown,
-            },
+            Some(frame) => {
+                match instrument.hear(&frame, Millis(entry.at.0 / 1_000_000)).unwrap_or(Received::Unknown) {
+                    Received::Stored => &mut self.taken,
+                    Received::TooShort => &mut self.short,
+                    Received::Damaged => &mut self.damaged,
+                    Received::Unknown if tables.message(frame.id).is_some() => &mut self.for_others,
+                    Received::Unknown => &mut self.unknown,
+                }
+            }
         };
         *counter += 1;
     }

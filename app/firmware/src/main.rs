@@ -108,13 +108,7 @@ mod app {
         // Each is spawned once and never ends: there is always room.
         let _ = (tick::spawn(), draw::spawn(), report::spawn());
         (
-            Shared {
-                can,
-                instrument,
-                shown: View::default(),
-                link: board.link,
-                boot: board.boot,
-            },
+            Shared { can, instrument, shown: View::default(), link: board.link, boot: board.boot },
             Local {
                 frames_in,
                 frames_out,

@@ -6,8 +6,8 @@
 use super::answer::FoundLine;
 use super::name::{PAGES, Signal, snake};
 use super::{Action, Answer, BusFault, Name, Place, Subject};
-use anyhow::Result;
 use crate::switches;
+use anyhow::Result;
 use cluster::view::Line;
 use cluster::{Button, Buttons, Contacts, Inputs, Instrument, Key, Sound, View};
 use protocol_core::generated::SHIPPED_VEHICLES;
@@ -61,7 +61,9 @@ impl HostSubject {
         let now = self.now();
         self.instrument.tick(&inputs(self.vehicle.world(), self.buttons), now);
         let access = self.instrument.look(|| false, now);
-        debug_assert!(super::name::vehicle(self.vehicle.kind()).is_none_or(|it| it.bitrate == access.bitrate));
+        debug_assert!(
+            super::name::vehicle(self.vehicle.kind()).is_none_or(|it| it.bitrate == access.bitrate)
+        );
         let Self { instrument, vehicle, sent, now_ms, .. } = self;
         while instrument.offer(|frame| {
             if !is_silent {
@@ -127,7 +129,9 @@ impl Subject for HostSubject {
                 Some(Some(deciamps)) => Answer::Number(f64::from(deciamps) / 10.0),
             },
             Name::Page => page(view.page.number()),
-            Name::Value(value) => Answer::of_sample(self.instrument.cluster().shown(*value, self.now()).into(), *value),
+            Name::Value(value) => {
+                Answer::of_sample(self.instrument.cluster().shown(*value, self.now()).into(), *value)
+            }
             Name::Sent(signal) => self.sent.answer(signal, self.now_ms),
             Name::Truth { path, .. } => Answer::of_truth(self.vehicle.readout(path)),
             Name::Sound => self.sound_at(self.now_ms),

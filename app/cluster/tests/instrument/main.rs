@@ -24,7 +24,7 @@ fn frame_of(vehicle: &Vehicle, id: CanId) -> CanFrame {
 
 /// Identifiers that only this vehicle has.
 fn own_ids(vehicle: &'static Vehicle) -> impl Iterator<Item = CanId> {
-    let others = || SHIPPED_VEHICLES.iter().filter(move |other| other.name != vehicle.name);
+    let others = move || SHIPPED_VEHICLES.iter().filter(move |other| other.name != vehicle.name);
     vehicle.rx.iter().map(|message| message.id).filter(move |id| others().all(|other| !other.has_id(*id)))
 }
 
@@ -136,15 +136,15 @@ fn frames_are_kept_until_the_vehicle_is_known_and_then_counted_and_shown() {
 fn of_frames_that_the_bus_does_not_take_the_oldest_go() {
     let mut run = Run::fixed();
     run.takes = false;
-    // Two messages a second: 8 wait, 12 more have been due.
+    // Two messages a second: 8 wait, the 12 before them are gone.
     run.ticks(1_000);
     assert_eq!(run.sent, []);
     run.takes = true;
     run.ticks(8);
-    let life: Vec<u64> = run.sent.iter().map(|(at, _)| *at).collect();
-    assert_eq!(life, (10_000..10_080).step_by(10).collect::<Vec<_>>(), "one a tick: one transmit buffer");
+    let times: Vec<u64> = run.sent.iter().map(|(at, _)| *at).collect();
+    assert_eq!(times, (10_000..10_080).step_by(10).collect::<Vec<_>>(), "one a tick: one transmit buffer");
     let mut steady = Run::fixed();
-    steady.ticks(1_000);
+    steady.ticks(1_001);
     let expected: Vec<CanFrame> = steady.sent.iter().rev().take(8).rev().map(|(_, frame)| *frame).collect();
     assert_eq!(run.sent.iter().map(|(_, frame)| *frame).collect::<Vec<_>>(), expected);
 }
@@ -197,7 +197,9 @@ fn the_bit_rate_moves_on_errors_while_no_vehicle_is_known_and_nobody_is_asked_la
         instrument.hear(&frame_of(&jiulong::VEHICLE, id), Millis(110));
     }
     assert_eq!(instrument.cluster().vehicle().name, "", "these are of the other bit rate");
-    assert_eq!(instrument.look(|| true, Millis(1_000)).bitrate, first, "500 ms after the last frame");
+    assert_eq!(instrument.look(|| true, Millis(110)).bitrate, moved, "frames speak for a rate");
+    assert_eq!(instrument.look(|| true, Millis(600)).bitrate, moved);
+    assert_eq!(instrument.look(|| true, Millis(610)).bitrate, first, "500 ms after the last frame");
     for id in own_ids(&jiulong::VEHICLE) {
         instrument.hear(&frame_of(&jiulong::VEHICLE, id), Millis(1_010));
     }

@@ -2,8 +2,8 @@
 
 use crate::toy::*;
 use cluster::{Inputs, Lamp, Telltale, Telltales};
-use protocol_core::Value;
 use protocol_core::Millis;
+use protocol_core::Value;
 
 fn lit(drive: &Drive) -> Vec<Telltale> {
     let telltales = drive.view().telltales;

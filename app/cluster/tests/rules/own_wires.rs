@@ -34,11 +34,8 @@ fn every_contact_is_filed_under_its_own_value() {
         let mut drive = Drive::silent();
         drive.inputs.contacts.set(*value, true);
         drive.run(TICK);
-        let on: Vec<Value> = Contacts::ALL
-            .iter()
-            .copied()
-            .filter(|&value| shown(&drive, value) == Shown::Value(1))
-            .collect();
+        let on: Vec<Value> =
+            Contacts::ALL.iter().copied().filter(|&value| shown(&drive, value) == Shown::Value(1)).collect();
         assert_eq!(on, [*value]);
     }
 }
