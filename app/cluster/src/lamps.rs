@@ -6,7 +6,7 @@
 //! Source: BUS-R022 to BUS-R025, BUS-R096, BUS-39, BUS-75, BUS-108 to BUS-111, BUS-R128; C5-R012; JL-R013; readings JL-23, JL-24,
 //! JL-56, C5-34; GB 7258 (air pressure).
 
-use crate::reception::Facts;
+use crate::facts::Facts;
 use crate::telltale::{Telltale, Telltales};
 use protocol_core::model::{Shown, Value};
 use protocol_core::states::{Charge, Contactor, Run};

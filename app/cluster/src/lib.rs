@@ -5,16 +5,19 @@
 //!
 //! Where a rule lives: `sources` (what puts a line on the screen), `lamps` (telltales), `chime` (sounds), `inputs` (own
 //! wires), `texts` (all words), each a table; `hv_off`, `limp`, `charger`, `hvac`, `buzzer`, `reverse` (timing), each a
-//! small machine; `own` (what the instrument says of itself); `page` (which page, what turns it).
+//! small machine; `own` (what the instrument says of itself); `navigator` (which page, what turns it).
 
 #![no_std]
 #![forbid(unsafe_code)]
 
 mod buzzer;
+mod charge;
 mod charger;
 pub mod chime;
 mod cluster;
 mod debounce;
+mod decisions;
+mod facts;
 mod faults;
 pub mod history;
 mod hv_off;
@@ -23,14 +26,15 @@ pub mod inputs;
 pub mod instrument;
 mod lamps;
 mod limp;
+mod navigator;
 mod odometer;
 pub mod own;
-pub mod page;
 mod press;
 mod reception;
 mod reverse;
 mod settings;
 mod sources;
+mod start;
 pub mod telltale;
 pub mod texts;
 mod timers;
@@ -43,10 +47,9 @@ pub use cluster::Cluster;
 pub use history::{Entry, Source};
 pub use inputs::{Button, Buttons, Contacts, Controller, Inputs, Key};
 pub use instrument::{Access, Instrument};
-pub use page::Page;
 pub use reception::{Counters, MAX_MESSAGES, Received};
 pub use telltale::{Lamp, Telltale, Telltales};
 pub use timers::Options;
 pub use transmit::MAX_SENT;
-pub use trip::Trip;
-pub use view::View;
+pub use view::page::{Page, Trip};
+pub use view::{View, page};

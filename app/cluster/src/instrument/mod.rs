@@ -120,11 +120,11 @@ impl Instrument {
         let controller_missing = inputs.controller.is_some_and(|controller| controller.state.is_none());
         self.cluster.know(Conditions { controller_missing, restart: self.restart, search });
         self.cluster.tick(&Inputs { contacts: Contacts::of_bits(contacts), ..*inputs }, now);
-        let may_send = self.may_send();
-        while let Some(frame) = self.cluster.transmit(now) {
-            if may_send {
-                self.outbox.push(frame);
-            }
+        // Cycles start when the controller may send: none of the first frames is lost, none comes out of step.
+        while self.access.may_send
+            && let Some(frame) = self.cluster.transmit(now)
+        {
+            self.outbox.push(frame);
         }
     }
 
@@ -158,10 +158,9 @@ impl Instrument {
         self.access
     }
 
-    /// Offers the oldest frame that waits to the controller, once that may send; it goes if `take` takes it. Returns
-    /// whether one has gone.
+    /// Offers the oldest frame that waits to the controller; it goes if `take` takes it. Returns whether one has gone.
     pub fn offer(&mut self, take: impl FnOnce(&CanFrame) -> bool) -> bool {
-        self.access.may_send && self.outbox.offer(take)
+        self.outbox.offer(take)
     }
 
     /// Returns what is to be shown.

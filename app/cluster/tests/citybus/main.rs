@@ -358,7 +358,7 @@ fn bus_r129_meter1_tells_that_the_driver_has_left_in_its_next_frame() {
     let mut ride = Ride::new();
     ride.inputs.contacts.set(Value::BodySeatEmpty, true);
     let mut seen = Vec::new();
-    for life in 0..200 {
+    for life in 0..=200 {
         let gear = if life < 50 { 0b0100 } else { 0b0001 };
         ride.send(VCU1, [gear << 2, 0, 0, 0, 0, 0xFF, 0, life]);
         while let Some(frame) = ride.cluster.transmit(ride.now) {
