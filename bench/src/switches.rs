@@ -29,6 +29,7 @@ pub const SWITCHES: &[Switch] = &[
     switch(14, Value::BodySmoke, |world| world.body.smoke),
     switch(21, Value::BodyTurnLeft, |world| world.body.turn_left),
     switch(22, Value::BodyTurnRight, |world| world.body.turn_right),
+    switch(1, Value::BodyHazard, |world| world.body.hazard),
 ];
 
 /// Returns what the closed switches say.

@@ -89,6 +89,8 @@ impl Cluster {
     }
 
     /// Starts the odometer from a distance that was kept, in 1/8 km; never takes distance away.
+    ///
+    /// For whatever keeps the odometer over power-off; this firmware keeps nothing yet.
     pub fn restore(&mut self, odometer_km8: u32) {
         self.odometer.restore(odometer_km8);
     }
@@ -237,11 +239,6 @@ impl Cluster {
     /// Returns what may be shown of `value`.
     pub fn shown(&self, value: Value, now: Millis) -> Shown<i32> {
         self.reception.shown(self.vehicle, value, now)
-    }
-
-    /// Returns every cell of a stream of the vehicle (`[streams.NAME]`), raw, with its number in the table.
-    pub fn cells(&self, stream: &str) -> impl Iterator<Item = (u16, u8)> {
-        self.reception.cells(self.vehicle, stream)
     }
 
     /// Returns the vehicle.

@@ -39,18 +39,10 @@ pub struct Counters {
     pub too_short: u32,
     /// Frames with a wrong check byte.
     pub damaged: u32,
-    last_seen: LastSeen,
 }
 
 /// When each node gave its last sign of life.
 type LastSeen = [Option<Millis>; NODES];
-
-impl Counters {
-    /// Returns when `node` gave its last sign of life.
-    pub fn last_seen(&self, node: Node) -> Option<Millis> {
-        self.last_seen.get(node as usize).copied().flatten()
-    }
-}
 
 /// The last sign of life of one message.
 #[derive(Clone, Copy)]
@@ -149,12 +141,6 @@ impl Reception {
         }
     }
 
-    /// Returns every cell of the stream of this name, raw, with its number.
-    pub(crate) fn cells(&self, vehicle: &Vehicle, stream: &str) -> impl Iterator<Item = (u16, u8)> {
-        let stream = vehicle.streams.iter().find(|known| known.name == stream);
-        stream.into_iter().flat_map(|stream| self.streams.cells(stream))
-    }
-
     /// Returns what may be shown of `value`.
     pub(crate) fn shown(&self, vehicle: &Vehicle, value: Value, now: Millis) -> Shown<i32> {
         let Some((reading, source)) = self.readings.get(value) else {
@@ -221,7 +207,6 @@ impl Reception {
             unknown: self.unknown,
             too_short: self.too_short,
             damaged: self.damaged,
-            last_seen: self.last_seen,
         }
     }
 }

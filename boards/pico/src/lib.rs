@@ -111,7 +111,7 @@ pub struct Board {
 }
 
 /// Contacts of the body that have a pin.
-const CONTACTS: usize = 7;
+const CONTACTS: usize = 8;
 
 /// Brings the board up: clocks at 125 MHz, the timer running, the vector table in RAM, every part idle.
 ///
@@ -174,10 +174,9 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
     backlight_slice.channel_b.output_to(backlight_pin);
     buzzer_slice.channel_b.output_to(buzzer_pin);
 
-    let link_pins = (
-        pins.gpio0.reconfigure::<FunctionUart, hal::gpio::PullNone>(),
-        pins.gpio1.reconfigure::<FunctionUart, hal::gpio::PullUp>(),
-    );
+    // Nothing is received: the other pin of the UART is a contact.
+    let link_pins =
+        hal::uart::Pins::default().tx(pins.gpio0.reconfigure::<FunctionUart, hal::gpio::PullNone>());
     let link_config = UartConfig::new(facts::LINK_BAUD.Hz(), DataBits::Eight, None, StopBits::One);
     let uart = UartPeripheral::new(pac.UART0, link_pins, &mut pac.RESETS);
     let Ok(uart) = uart.enable(link_config, peripheral_clock) else { hal::reset() };
@@ -197,6 +196,7 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
             (Value::BodySmoke, pins.gpio14.into_pull_up_input().into_dyn_pin()),
             (Value::BodyTurnLeft, pins.gpio21.into_pull_up_input().into_dyn_pin()),
             (Value::BodyTurnRight, pins.gpio22.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyHazard, pins.gpio1.into_pull_up_input().into_dyn_pin()),
         ]),
         gauges,
         led: Led(pins.gpio25.into_push_pull_output_in_state(PinState::Low).into_pull_type()),
