@@ -71,7 +71,7 @@ impl Visit {
     }
 
     fn wait_ready(&mut self) {
-        self.browser.wait_for("document.querySelector('[data-lamp=Ready]')");
+        self.browser.wait_for("document.querySelector('[data-telltale=ready]')");
     }
 
     fn wait_speed(&mut self, condition: &str) {
@@ -197,7 +197,7 @@ fn an_injected_fault_turns_a_line_on_and_clearing_takes_it_away() {
     visit.browser.eval("set('battery.hottest', 70)");
     visit
         .browser
-        .wait_for("$('line').textContent !== '' && document.querySelector('[data-lamp=BatteryFault]')");
+        .wait_for("$('line').textContent !== '' && document.querySelector('[data-telltale=battery_fault]')");
     assert_ne!(visit.pixels(), before, "the panel shows it");
     visit.browser.wait_for("document.body.dataset.tones > 0");
     visit.browser.click("#clear");
@@ -211,13 +211,13 @@ fn an_injected_fault_turns_a_line_on_and_clearing_takes_it_away() {
 fn cut_bus_wires_are_named_by_the_cluster_and_mended() {
     let Some(mut visit) = visit(1440, 900) else { return };
     visit.wait_ready();
-    visit.browser.wait_for("!document.querySelector('[data-lamp=NoCommunication]')");
+    visit.browser.wait_for("!document.querySelector('[data-telltale=no_communication]')");
     visit.browser.eval("document.querySelector('[data-group=links]').open = true");
     visit.browser.click("[data-path='bus.unplug'] i");
     visit.browser.wait_for("state.settings[rows.get('bus.unplug').index] === 1");
-    visit.browser.wait_for("document.querySelector('[data-lamp=NoCommunication]')");
+    visit.browser.wait_for("document.querySelector('[data-telltale=no_communication]')");
     visit.browser.click("[data-path='bus.unplug'] i");
-    visit.browser.wait_for("!document.querySelector('[data-lamp=NoCommunication]')");
+    visit.browser.wait_for("!document.querySelector('[data-telltale=no_communication]')");
     visit.leave();
 }
 
@@ -521,7 +521,7 @@ fn a_failed_expectation_is_told_when_the_story_has_come_to_it_in_good_english() 
     let mut verdict = |first: &str, second: &str| {
         visit.browser.text(&format!(
             "(() => {{ showStory({{ name: 'x', title: 'x', rules: [], end: 9, deeds: [], problem: null, checks: [ \
-             {{ at: 1, expected: 'lamp.ready on', found: {first} }}, {{ at: 8, expected: 'speed 0', found: {second} }}] }}, 2); \
+             {{ at: 1, expected: 'telltale.ready on', found: {first} }}, {{ at: 8, expected: 'speed 0', found: {second} }}] }}, 2); \
              return $('story-verdict').textContent + '; ' + $('story-list').textContent; }})()"
         ))
     };
@@ -531,7 +531,7 @@ fn a_failed_expectation_is_told_when_the_story_has_come_to_it_in_good_english() 
     assert!(verdict(&right, &right).starts_with("2 expectations came true; "));
     let ahead = verdict(&right, "null");
     assert!(ahead.starts_with("1 expectation came true so far, of 2; "), "{ahead}");
-    assert!(ahead.contains("✓lamp.ready on") && ahead.ends_with("·speed 0"), "not judged ahead: {ahead}");
+    assert!(ahead.contains("✓telltale.ready on") && ahead.ends_with("·speed 0"), "not judged ahead: {ahead}");
     visit.leave();
 }
 

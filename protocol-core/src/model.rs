@@ -2,7 +2,9 @@
 //!
 //! Owns the list of values with their paths and units, and the store ([`Readings`]) into which generated decoders
 //! write. The same paths stand in `vehicle.toml`, scenario files, logs and the book; the states that a value can be in
-//! are in [`crate::states`]. Refuses to know messages, identifiers or time-outs; freshness is the cluster's business.
+//! are in [`states`]. Refuses to know messages, identifiers or time-outs; freshness is the cluster's business.
+
+use crate::states;
 
 pub use crate::states::{Gear, Missing, Severity};
 
@@ -62,7 +64,7 @@ impl<T> Shown<T> {
 /// The unit of one count of a model value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// State: [`states::Flag`](crate::states::Flag).
+    /// State: [`states::Flag`](states::Flag).
     Flag,
     /// A plain number or code.
     Count,
@@ -70,11 +72,11 @@ pub enum Unit {
     Severity,
     /// State: [`Gear`].
     Gear,
-    /// State: [`states::Contactor`](crate::states::Contactor).
+    /// State: [`states::Contactor`](states::Contactor).
     Contactor,
-    /// State: [`states::Run`](crate::states::Run).
+    /// State: [`states::Run`](states::Run).
     Run,
-    /// State: [`states::Charge`](crate::states::Charge).
+    /// State: [`states::Charge`](states::Charge).
     Charge,
     /// 1/256 km/h.
     Kmh256,
@@ -108,16 +110,35 @@ pub enum Unit {
     Hertz,
     /// Whole days.
     Day,
-    /// State: [`states::Key`](crate::states::Key).
+    /// State: [`states::Key`](states::Key).
     Key,
-    /// State: [`states::Fan`](crate::states::Fan).
+    /// State: [`states::Fan`](states::Fan).
     Fan,
-    /// State: [`states::Mode`](crate::states::Mode).
+    /// State: [`states::Mode`](states::Mode).
     Mode,
-    /// State: [`states::Check`](crate::states::Check).
+    /// State: [`states::Check`](states::Check).
     Check,
     /// Bit n set = fault code n + 1 of the node is active; see [`crate::vehicle::FaultText`].
     Bits,
+}
+
+impl Unit {
+    /// Returns the kind of state that a value of this unit is; `None` for numbers and bits.
+    pub const fn kind(self) -> Option<states::Kind> {
+        Some(match self {
+            Self::Flag => states::Flag::KIND,
+            Self::Severity => Severity::KIND,
+            Self::Gear => Gear::KIND,
+            Self::Contactor => states::Contactor::KIND,
+            Self::Run => states::Run::KIND,
+            Self::Charge => states::Charge::KIND,
+            Self::Key => states::Key::KIND,
+            Self::Fan => states::Fan::KIND,
+            Self::Mode => states::Mode::KIND,
+            Self::Check => states::Check::KIND,
+            _ => return None,
+        })
+    }
 }
 
 macro_rules! model {

@@ -4,7 +4,6 @@
 //! texts are for people. `docs/reference/states.md` is made of these rows. Refuses to know which value is in which state,
 //! and the raw values of any vehicle: those are in its DBC. The firmware pays only for the faces that it uses.
 
-use crate::model::Unit;
 use serde::Serialize;
 
 /// One state, with all its faces.
@@ -246,7 +245,7 @@ states! {
         BusOff 4 "bus_off" "总线关闭" "Bus off", also "off" "bus-off";
     }
 
-    /// How a value is missing; see [`Shown`](crate::model::Shown).
+    /// How a value is missing; see `model::Shown`.
     Missing "missing" {
         Never 0 "never" "从未收到" "Never seen";
         Stale 1 "stale" "中断" "Stale";
@@ -255,7 +254,7 @@ states! {
 }
 
 impl Severity {
-    /// Returns the severity of a model value of unit [`Unit::Severity`]; what no row has is no fault.
+    /// Returns the severity of a model value of unit `Unit::Severity`; what no row has is no fault.
     pub const fn from_model(value: i32) -> Self {
         match Self::from_number(value) {
             Some(severity) => severity,
@@ -274,23 +273,4 @@ impl Gear {
 impl Confinement {
     /// Word of a controller that does not answer: it is in no state.
     pub const OFFLINE: &str = "offline";
-}
-
-impl Unit {
-    /// Returns the kind of state that a value of this unit is; `None` for numbers and bits.
-    pub const fn kind(self) -> Option<Kind> {
-        Some(match self {
-            Self::Flag => Flag::KIND,
-            Self::Severity => Severity::KIND,
-            Self::Gear => Gear::KIND,
-            Self::Contactor => Contactor::KIND,
-            Self::Run => Run::KIND,
-            Self::Charge => Charge::KIND,
-            Self::Key => Key::KIND,
-            Self::Fan => Fan::KIND,
-            Self::Mode => Mode::KIND,
-            Self::Check => Check::KIND,
-            _ => return None,
-        })
-    }
 }

@@ -42,7 +42,7 @@ const LAYERS: &[Layer] = &[
         never: &["rp2040-hal", "mcp2515", "mipidsi"],
     },
     Layer { name: "vehicle-compiler", may_use: &["protocol-core"], never: HARDWARE },
-    Layer { name: "fontgen", may_use: &["surroundings"], never: HARDWARE },
+    Layer { name: "fontgen", may_use: &["cluster", "surroundings"], never: HARDWARE },
     Layer { name: "virtual-vehicle", may_use: &["protocol-core"], never: HARDWARE },
     Layer {
         name: "bench",

@@ -99,7 +99,7 @@ fn a_fault_lights_a_lamp_and_writes_a_line() {
     let lamps: Vec<&Json> = rows.iter().filter(|row| row["name"] == "lamps").collect();
     assert_eq!(lamps[0]["all"], true);
     let lit = lamps.last().unwrap()["lit"].as_array().unwrap();
-    assert!(lit.contains(&"battery fault".into()), "{lit:?}");
+    assert!(lit.contains(&"battery_fault".into()), "{lit:?}");
     let line = rows.iter().rfind(|row| row["name"] == "line").unwrap();
     assert!(line["zh"].is_string() && line["en"].is_string(), "{line}");
     assert!(rows.iter().any(|row| row["name"] == "sound" && row["frequency_hz"].is_u64()));

@@ -12,7 +12,6 @@ use crate::facts::Facts;
 use crate::faults::Faults;
 use crate::history::Entry;
 use crate::inputs::{self, Button, Controller, Inputs};
-use crate::lamps::Lamps;
 use crate::limp;
 use crate::navigator::{Pages, Situation};
 use crate::odometer::Odometer;
@@ -23,7 +22,7 @@ use crate::reverse::Reverse;
 use crate::settings::Settings;
 use crate::sources;
 use crate::start::{self, Start};
-use crate::telltale::{Telltale, Telltales};
+use crate::telltales::{Lighting, Telltale, Telltales};
 use crate::timers::{Options, Timers};
 use crate::transmit::{MAX_SENT, Transmit};
 use crate::trip::{self, Trips};
@@ -43,7 +42,7 @@ pub struct Cluster {
     reception: Reception,
     timers: Timers,
     faults: Faults,
-    lamps: Lamps,
+    lighting: Lighting,
     reverse: Reverse,
     player: Player,
     odometer: Odometer,
@@ -72,7 +71,7 @@ impl Cluster {
             reception: Reception::new(),
             timers: Timers::new(),
             faults: Faults::new(),
-            lamps: Lamps::new(),
+            lighting: Lighting::new(),
             reverse: Reverse::new(),
             player: Player::new(),
             odometer: Odometer::new(),
@@ -138,10 +137,10 @@ impl Cluster {
         self.decide(inputs, now);
         self.timers.observe(self.vehicle, &self.reception, now);
 
-        let Self { vehicle, reception, timers, faults, lamps, silent, .. } = self;
+        let Self { vehicle, reception, timers, faults, lighting, silent, .. } = self;
         let facts = Facts { vehicle, reception, timers, silent: *silent, started: listening, now };
         faults.tick(&facts);
-        lamps.tick(&facts);
+        lighting.tick(&facts);
         self.pages.follow(
             Situation {
                 is_alarming: matches!(self.faults.sound(), Some(Sound::Fire | Sound::Stop)),
@@ -255,7 +254,7 @@ impl Cluster {
         self.reception = Reception::new();
         self.timers = Timers { options: self.timers.options, ..Timers::new() };
         self.faults = Faults::new();
-        self.lamps = Lamps::new();
+        self.lighting = Lighting::new();
         self.reverse = Reverse::new();
         self.transmit = Transmit::new();
         self.silent = Nodes::NONE;
@@ -326,9 +325,9 @@ impl Cluster {
             limp: self.limp(),
             hv_off_s: self.timers.hv_off.countdown_s(now),
             page: self.page(now),
-            telltales: if self.start.is_bulb_check(now) { Telltales::ALL } else { self.lamps.lit() },
-            is_power_limited: self.lamps.lit().is_lit(Telltale::PowerLimited),
-            is_charge_low: self.lamps.lit().is_lit(Telltale::LowCharge),
+            telltales: if self.start.is_bulb_check(now) { Telltales::ALL } else { self.lighting.lit() },
+            is_power_limited: self.lighting.lit().is_lit(Telltale::PowerLimited),
+            is_charge_low: self.lighting.lit().is_lit(Telltale::LowCharge),
             severity: self.faults.worst().max(line.map_or(Severity::None, |line| line.severity)),
             line,
             heartbeat: (now.0 / HEARTBEAT_MS) % 2 == 1,

@@ -3,7 +3,7 @@
 //! Pure logic between frames and pixels: frames, inputs and the time go in, a [`View`], a [`Chime`] and frames to send
 //! come out. No hardware, no clock, no allocation, no identifiers: vehicles are tables in `protocol-core`.
 //!
-//! Where a rule lives: `sources` (what puts a line on the screen), `lamps` (telltales), `chime` (sounds), `inputs` (own
+//! Where a rule lives: `sources` (what puts a line on the screen), `telltales`, `chime` (sounds), `inputs` (own
 //! wires), `texts` (all words), each a table; `hv_off`, `limp`, `charger`, `hvac`, `buzzer`, `reverse` (timing), each a
 //! small machine; `own` (what the instrument says of itself); `navigator` (which page, what turns it).
 
@@ -24,7 +24,6 @@ mod hv_off;
 mod hvac;
 pub mod inputs;
 pub mod instrument;
-mod lamps;
 mod limp;
 mod navigator;
 mod odometer;
@@ -35,7 +34,7 @@ mod reverse;
 mod settings;
 mod sources;
 mod start;
-pub mod telltale;
+pub mod telltales;
 pub mod texts;
 mod timers;
 mod transmit;
@@ -48,7 +47,7 @@ pub use history::{Entry, Source};
 pub use inputs::{Button, Buttons, Contacts, Controller, Inputs, Key};
 pub use instrument::{Access, Instrument};
 pub use reception::{Counters, MAX_MESSAGES, Received};
-pub use telltale::{Lamp, Telltale, Telltales};
+pub use telltales::{Place, Telltale, TelltaleColour, Telltales};
 pub use timers::Options;
 pub use transmit::MAX_SENT;
 pub use view::page::{Page, Trip};

@@ -75,6 +75,8 @@ fn c5_r012_each_lamp_follows_its_bit_alone_and_at_once() {
         (0x20, 0, Telltale::Ready),
         (0x40, 0, Telltale::SystemFault),
         (0x80, 0, Telltale::Charging),
+        (0, 0x01, Telltale::BrakeForce),
+        (0, 0x02, Telltale::AntiLock),
         (0, 0x04, Telltale::PowerLimited),
         (0, 0x08, Telltale::ChargePlug),
         (0, 0x20, Telltale::LowCharge),

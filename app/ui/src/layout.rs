@@ -9,7 +9,7 @@ use crate::{
     theme::Ink,
     words,
 };
-use cluster::{Telltale, View, view::Text};
+use cluster::{Place, Telltale, View, view::Text};
 use protocol_core::model::Shown;
 
 /// A rectangle in whole pixels of the screen.
@@ -70,45 +70,24 @@ pub(crate) const BAND_TEXT_TOP: u16 = 222;
 /// Stripe in the colour of the worst severity.
 pub(crate) const STRIPE: Area = Area::new(0, 213, crate::WIDTH, 3);
 
-/// Lamps stand in two rows of twelve cells; READY takes two.
-const LAMP_CELL: u16 = 26;
-const LAMP_LEFT: u16 = 4;
-const LAMP_ROWS: [u16; 2] = [2, 189];
+/// Telltales stand in two rows of twelve cells; READY takes two.
+const TELLTALE_CELL: u16 = 26;
+const TELLTALE_LEFT: u16 = 4;
+const TELLTALE_ROWS: [u16; 2] = [2, 189];
 
-/// Cells of the lamps, in the order of [`Telltale::ALL`]: row, column.
-const LAMP_CELLS: [(Telltale, u8, u8); Telltale::ALL.len()] = [
-    (Telltale::TurnLeft, 0, 0),
-    (Telltale::TurnRight, 0, 11),
-    (Telltale::LowBeam, 0, 2),
-    (Telltale::HighBeam, 0, 1),
-    (Telltale::FrontFog, 0, 3),
-    (Telltale::RearFog, 0, 4),
-    (Telltale::Ready, 0, 5),
-    (Telltale::SystemFault, 1, 0),
-    (Telltale::BatteryFault, 1, 1),
-    (Telltale::MotorFault, 1, 2),
-    (Telltale::Insulation, 1, 3),
-    (Telltale::PowerLimited, 0, 10),
-    (Telltale::LowCharge, 0, 9),
-    (Telltale::BatteryCut, 1, 4),
-    (Telltale::ChargePlug, 0, 8),
-    (Telltale::Charging, 0, 7),
-    (Telltale::LowVoltage, 1, 5),
-    (Telltale::Steering, 1, 6),
-    (Telltale::Compressor, 1, 8),
-    (Telltale::ParkingBrake, 1, 10),
-    (Telltale::Door, 1, 9),
-    (Telltale::AirPressure, 1, 7),
-    (Telltale::NoCommunication, 1, 11),
-];
-
-/// Returns the place of a lamp.
-pub(crate) const fn lamp(lamp: Telltale) -> Area {
-    let (_, row, column) = LAMP_CELLS[lamp as usize];
-    let x = LAMP_LEFT + column as u16 * LAMP_CELL;
-    match lamp {
-        Telltale::Ready => Area::new(x, LAMP_ROWS[row as usize], 2 * LAMP_CELL, ICON_SIZE),
-        _ => Area::new(x + 2, LAMP_ROWS[row as usize], ICON_SIZE, ICON_SIZE),
+/// Returns the place of a telltale.
+pub(crate) const fn telltale(telltale: Telltale) -> Area {
+    let (row, column) = match telltale.place() {
+        Place::Cell(row, column) => (row, column),
+        Place::With(host) => match host.place() {
+            Place::Cell(row, column) => (row, column),
+            Place::With(_) => panic!("a cell is shared with a telltale that has one of its own"),
+        },
+    };
+    let (x, y) = (TELLTALE_LEFT + column as u16 * TELLTALE_CELL, TELLTALE_ROWS[row as usize]);
+    match telltale {
+        Telltale::Ready => Area::new(x, y, 2 * TELLTALE_CELL, ICON_SIZE),
+        _ => Area::new(x + 2, y, ICON_SIZE, ICON_SIZE),
     }
 }
 
@@ -342,7 +321,7 @@ pub(crate) static LABELS: [Label; 15] = [
 pub(crate) enum Widget {
     Band,
     Stripe,
-    Lamp(Telltale),
+    Telltale(Telltale),
     Limited,
     Gear,
     Speed,
@@ -356,7 +335,7 @@ pub(crate) enum Widget {
 impl Widget {
     /// Returns whether every page has it; the rest is the main page's.
     pub(crate) const fn is_on_every_page(self) -> bool {
-        matches!(self, Self::Band | Self::Stripe | Self::Lamp(_) | Self::Heartbeat)
+        matches!(self, Self::Band | Self::Stripe | Self::Telltale(_) | Self::Heartbeat)
     }
 }
 
@@ -364,7 +343,7 @@ const fn place(widget: Widget) -> Area {
     match widget {
         Widget::Band => BAND,
         Widget::Stripe => STRIPE,
-        Widget::Lamp(telltale) => lamp(telltale),
+        Widget::Telltale(it) => telltale(it),
         Widget::Limited => LIMITED,
         Widget::Gear => GEAR,
         Widget::Speed => SPEED,
@@ -398,7 +377,7 @@ pub(crate) static WIDGETS: [(Widget, Area); WIDGET_COUNT] = {
         let widget = if index < SINGLE.len() {
             SINGLE[index]
         } else if index < SINGLE.len() + Telltale::ALL.len() {
-            Widget::Lamp(Telltale::ALL[index - SINGLE.len()])
+            Widget::Telltale(Telltale::ALL[index - SINGLE.len()])
         } else {
             Widget::Field(index - SINGLE.len() - Telltale::ALL.len())
         };
@@ -416,9 +395,12 @@ mod tests {
     extern crate std;
 
     #[test]
-    fn every_lamp_has_the_cell_of_its_own_row_in_the_table() {
-        for (row, &telltale) in LAMP_CELLS.iter().zip(Telltale::ALL) {
-            assert_eq!(row.0, telltale);
+    fn a_cell_belongs_to_one_telltale_and_is_shared_with_at_most_one() {
+        let cells = || Telltale::ALL.iter().filter(|it| matches!(it.place(), Place::Cell(..)));
+        for host in cells() {
+            assert_eq!(cells().filter(|other| other.place() == host.place()).count(), 1, "{host:?}");
+            let guests = Telltale::ALL.iter().filter(|it| it.place() == Place::With(*host));
+            assert!(guests.count() <= 1, "three take turns in the cell of {host:?}");
         }
     }
 
@@ -435,8 +417,14 @@ mod tests {
                     "{widget:?} {place:?}"
                 );
                 for (other, there) in &places[index + 1..] {
-                    // The dial is a ring: its own test is below.
-                    if *widget != Some(Widget::Dial) {
+                    // The dial is a ring: its own test is below. Two telltales may share a cell: they take turns.
+                    let take_turns = match (widget, other) {
+                        (Some(Widget::Telltale(one)), Some(Widget::Telltale(two))) => {
+                            two.place() == Place::With(*one) || one.place() == Place::With(*two)
+                        }
+                        _ => false,
+                    };
+                    if *widget != Some(Widget::Dial) && !take_turns {
                         assert_eq!(place.common(*there), None, "{widget:?} and {other:?}, {language:?}");
                     }
                 }
@@ -449,7 +437,7 @@ mod tests {
         for text in [words::LIMITED.zh, words::LIMITED.en] {
             assert!(fonts::LABEL.width(text) <= LIMITED.width, "{text}");
         }
-        assert!(fonts::MESSAGE.width(words::READY.zh) <= lamp(Telltale::Ready).width);
+        assert!(fonts::MESSAGE.width(words::READY.zh) <= telltale(Telltale::Ready).width);
     }
 
     #[test]

@@ -14,7 +14,7 @@ use crate::{
     words,
 };
 use cluster::{
-    Lamp, Telltale, Telltales, View,
+    Telltale, TelltaleColour, Telltales, View,
     view::{Language, Limp, Line, Text, Theme},
 };
 use protocol_core::model::{Severity, Shown};
@@ -275,7 +275,8 @@ pub(crate) struct Picture {
     pub(crate) language: Language,
     pub(crate) message: Option<Message>,
     pub(crate) severity: Severity,
-    pub(crate) lamps: Telltales,
+    /// Those that are seen: of two in one cell the one whose turn it is.
+    pub(crate) telltales: Telltales,
     pub(crate) is_power_limited: bool,
     pub(crate) gear: u8,
     pub(crate) speed: Figures<3>,
@@ -298,7 +299,7 @@ impl Picture {
         language: Language::Chinese,
         message: None,
         severity: Severity::None,
-        lamps: Telltales::NONE,
+        telltales: Telltales::NONE,
         is_power_limited: false,
         gear: BLANK,
         speed: Figures::EMPTY,
@@ -319,7 +320,7 @@ impl Picture {
             language: view.language,
             message: view.line.as_ref().map(|line| Message::of(line, chip(view), view.language)),
             severity: view.severity,
-            lamps: view.telltales,
+            telltales: view.telltales.in_turn(view.heartbeat),
             heartbeat: view.heartbeat,
             kind: Kind::of(&view.page),
             cells: sheet::cells(view),
@@ -366,7 +367,7 @@ impl Picture {
             Widget::Stripe => {
                 row.fill(0, crate::WIDTH, palette.stripes[self.severity as usize]);
             }
-            Widget::Lamp(lamp) => self.paint_lamp(lamp, row, palette),
+            Widget::Telltale(telltale) => self.paint_telltale(telltale, row, palette),
             Widget::Limited => {
                 if self.is_power_limited {
                     let place = layout::LIMITED;
@@ -461,22 +462,23 @@ impl Picture {
         }
     }
 
-    fn paint_lamp(&self, lamp: Telltale, row: &mut Row, palette: &Palette) {
-        if !self.lamps.is_lit(lamp) {
+    fn paint_telltale(&self, telltale: Telltale, row: &mut Row, palette: &Palette) {
+        if !self.telltales.is_lit(telltale) {
             return;
         }
-        let ramp = palette.ramp(match lamp.colour() {
-            Lamp::Red => Ink::Red,
-            Lamp::Yellow => Ink::Yellow,
-            Lamp::Green => Ink::Green,
-            Lamp::Blue => Ink::Blue,
+        let ramp = palette.ramp(match telltale.colour() {
+            TelltaleColour::Red => Ink::Red,
+            TelltaleColour::Yellow => Ink::Yellow,
+            TelltaleColour::Green => Ink::Green,
+            TelltaleColour::Blue => Ink::Blue,
         });
-        let area = layout::lamp(lamp);
-        if matches!(lamp, Telltale::Ready) {
+        let area = layout::telltale(telltale);
+        if matches!(telltale, Telltale::Ready) {
             let middle = area.x + area.width / 2;
             let text = said(words::READY, self.language);
             paint_text(row, &fonts::MESSAGE, text, middle, area.y + 5, Align::Centre, ramp);
-        } else if let Some(coverage) = fonts::icon_coverage(lamp as usize, area.x as i16, row.y - area.y) {
+        } else if let Some(coverage) = fonts::icon_coverage(telltale as usize, area.x as i16, row.y - area.y)
+        {
             row.cover(&coverage, ramp);
         }
     }
@@ -688,7 +690,7 @@ mod tests {
             widget,
             Widget::Band
                 | Widget::Stripe
-                | Widget::Lamp(_)
+                | Widget::Telltale(_)
                 | Widget::Charge
                 | Widget::Power
                 | Widget::Heartbeat

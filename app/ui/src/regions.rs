@@ -10,8 +10,8 @@ use crate::{
 };
 use cluster::Telltale;
 
-const LAMPS: usize = 2;
-const LIMITED: usize = LAMPS + Telltale::ALL.len();
+const TELLTALES: usize = 2;
+const LIMITED: usize = TELLTALES + Telltale::ALL.len();
 const GEAR: usize = LIMITED + 1;
 const SPEED: usize = GEAR + 1;
 const SPEED_PARTS: usize = 6;
@@ -110,9 +110,9 @@ impl Regions {
         if old.severity != new.severity {
             self.mark(STRIPE);
         }
-        let switched = old.lamps.bits() ^ new.lamps.bits();
+        let switched = old.telltales.bits() ^ new.telltales.bits();
         for place in (0..Telltale::ALL.len()).filter(|place| switched >> place & 1 != 0) {
-            self.mark(LAMPS + place);
+            self.mark(TELLTALES + place);
         }
     }
 
@@ -202,7 +202,7 @@ fn area(part: usize, kind: Kind) -> Area {
     match part {
         BAND => layout::BAND,
         STRIPE => layout::STRIPE,
-        LAMPS..LIMITED => layout::lamp(Telltale::ALL[part - LAMPS]),
+        TELLTALES..LIMITED => layout::telltale(Telltale::ALL[part - TELLTALES]),
         LIMITED => layout::LIMITED,
         GEAR => layout::GEAR,
         SPEED..CELLS => {

@@ -7,6 +7,7 @@ use super::beside::beside;
 use super::scenes::{self, Scene};
 use super::trace::{self, Named};
 use super::wires::WIRES;
+use cluster::Telltale;
 use protocol_core::Value;
 use protocol_core::states::{self, State};
 use serde::Serialize;
@@ -117,6 +118,14 @@ const PRESETS: &[Preset] = &[
 const BEGINNING: &[(&str, &str)] =
     &[("driver.key", "start"), ("driver.parking_brake", "off"), ("driver.seat_empty", "off")];
 
+/// What a person calls a telltale.
+#[derive(Debug, Serialize)]
+struct Legend {
+    key: &'static str,
+    zh: &'static str,
+    en: &'static str,
+}
+
 /// What a page is told when it comes, and when the bench starts again.
 #[derive(Debug, Serialize)]
 pub(super) struct Catalog {
@@ -136,6 +145,8 @@ pub(super) struct Catalog {
     initial: Vec<Setting>,
     presets: Vec<PresetName>,
     truths: Vec<Truth>,
+    /// Every telltale.
+    telltales: Vec<Legend>,
     /// The states of every kind.
     states: BTreeMap<&'static str, &'static [State]>,
     /// The kind of every value of the cluster that is a state.
@@ -190,6 +201,10 @@ impl Catalog {
                     let states = kind.map(|kind| kind.name);
                     Truth { path, zh, en, unit, digits, beside: beside(path), states }
                 })
+                .collect(),
+            telltales: Telltale::ALL
+                .iter()
+                .map(|it| Legend { key: it.key(), zh: it.zh(), en: it.en() })
                 .collect(),
             states: states::KINDS.iter().map(|kind| (kind.name, kind.states)).collect(),
             values: Value::ALL
@@ -302,6 +317,18 @@ mod tests {
         for (path, _) in PRESETS.iter().flat_map(|preset| preset.settings) {
             assert!(vehicles.iter().any(|vehicle| has(vehicle, path)), "{path}");
         }
+    }
+
+    #[test]
+    fn the_page_is_told_what_every_telltale_is_called() {
+        let vehicle = VirtualVehicle::new(Kind::C5ev, Options::default());
+        let around = Around { bench: 0, recording: None, notes: &[], bitrate: 250_000 };
+        let catalog = serde_json::to_value(Catalog::of(Some(&vehicle), &around)).unwrap();
+        for (row, telltale) in catalog["telltales"].as_array().unwrap().iter().zip(Telltale::ALL) {
+            assert_eq!((&row["key"], &row["zh"]), (&telltale.key().into(), &telltale.zh().into()));
+            assert_eq!(row["en"], telltale.en());
+        }
+        assert_eq!(catalog["telltales"].as_array().map(Vec::len), Some(Telltale::ALL.len()));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::wires::Wires;
 use crate::chips::panel::BACKLIGHT_FULL;
 use crate::rig::Rig;
 use crate::time::Nanos;
-use cluster::telltale::Telltale;
+use cluster::Telltale;
 use cluster::texts;
 use protocol_core::generated::VEHICLES;
 use protocol_core::link::{ScreenLine, text_id};
@@ -63,7 +63,7 @@ pub(super) struct State<'a> {
     settings: Vec<Setting>,
     truths: Vec<f64>,
     shown: Vec<(String, String)>,
-    lamps: Vec<(String, String)>,
+    telltales: Vec<(&'static str, &'static str)>,
     line: Option<Line>,
     bus: BusUpdate,
     recording: Option<Length>,
@@ -130,7 +130,7 @@ impl<'a> State<'a> {
                 .map(|vehicle| vehicle.readouts().iter().map(|readout| readout.value).collect())
                 .unwrap_or_default(),
             shown: rig.shown_lines(),
-            lamps: screen.map(|screen| lamps(screen.telltales)).unwrap_or_default(),
+            telltales: screen.map(|screen| telltales(screen.telltales)).unwrap_or_default(),
             line: screen.and_then(|screen| screen.line).map(|line| line_of(&line)),
             bus: around.bus,
             recording: around.recording,
@@ -154,9 +154,9 @@ fn tones(rig: &Rig, since: Nanos) -> Vec<Tone> {
         .collect()
 }
 
-fn lamps(lit: u32) -> Vec<(String, String)> {
-    let lamps = Telltale::ALL.iter().enumerate().filter(|(index, _)| lit >> index & 1 != 0);
-    lamps.map(|(_, lamp)| (format!("{lamp:?}"), format!("{:?}", lamp.colour()).to_lowercase())).collect()
+fn telltales(lit: u32) -> Vec<(&'static str, &'static str)> {
+    let telltales = Telltale::ALL.iter().enumerate().filter(|(index, _)| lit >> index & 1 != 0);
+    telltales.map(|(_, telltale)| (telltale.key(), telltale.colour().key())).collect()
 }
 
 fn line_of(line: &ScreenLine) -> Line {
@@ -172,14 +172,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_lamp_has_words_on_the_page() {
-        let script = include_str!("page.js");
-        for lamp in Telltale::ALL {
-            assert!(script.contains(&format!("{lamp:?}: [")), "page.js has no words for {lamp:?}");
-        }
-    }
-
-    #[test]
     fn the_message_line_is_found_by_its_number() {
         let line =
             ScreenLine { text: text_id("System fault level 3"), code: Some(7), ..ScreenLine::default() };
@@ -188,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn lit_lamps_are_named_with_their_colour() {
-        assert_eq!(lamps(1 << Telltale::Ready as u8), [("Ready".to_owned(), "green".to_owned())]);
+    fn lit_telltales_are_named_with_their_colour() {
+        assert_eq!(telltales(1 << Telltale::Ready as u8), [("ready", "green")]);
     }
 }

@@ -65,7 +65,7 @@ const WORDS = {
   not_passed: ["项期望未满足，共", "expectation failed, of", "expectations failed, of"],
   truth: ["车辆实际", "Vehicle"],
   shown: ["仪表显示", "Cluster says"],
-  no_lamps: ["没有点亮的指示灯", "No lamp is lit"],
+  no_telltales: ["没有点亮的指示灯", "No telltale is lit"],
   faults: ["故障注入", "Faults"],
   clear: ["全部清除", "Clear all"],
   auto: ["自动", "auto"],
@@ -85,16 +85,6 @@ const WORDS = {
   connection: ["与台架的连接已断开，正在重连……", "Connection to the bench lost; trying again ..."],
   full: ["录制已满", "the recording is full"],
   raw: ["原始值", "raw"],
-};
-
-const LAMPS = {
-  TurnLeft: ["左转", "Left turn"], TurnRight: ["右转", "Right turn"], LowBeam: ["近光", "Low beam"], HighBeam: ["远光", "High beam"],
-  FrontFog: ["前雾灯", "Front fog"], RearFog: ["后雾灯", "Rear fog"], Ready: ["READY", "READY"], SystemFault: ["系统故障", "System fault"],
-  BatteryFault: ["电池故障", "Battery fault"], MotorFault: ["电机故障", "Motor fault"], Insulation: ["绝缘故障", "Insulation"],
-  PowerLimited: ["功率受限", "Power limited"], LowCharge: ["电量低", "Low charge"], BatteryCut: ["电池切断", "Battery cut off"],
-  ChargePlug: ["充电枪", "Charge plug"], Charging: ["充电中", "Charging"], LowVoltage: ["低压电源", "Low voltage"], Steering: ["转向助力", "Steering"],
-  Compressor: ["空压机", "Compressor"], ParkingBrake: ["驻车制动", "Parking brake"], Door: ["车门", "Door"], AirPressure: ["气压低", "Air pressure"],
-  NoCommunication: ["通信中断", "No communication"],
 };
 
 const KEYS = [
@@ -536,7 +526,7 @@ function buildTruths() {
     return { truth, cell, shown, row: make("tr", { "data-path": truth.path, title: truth.path }, make("td", {}, named(truth)), cell, shown) };
   });
   $("truths").replaceChildren(...truthCells.map(({ row }) => row));
-  $("shown").replaceChildren(make("div", { id: "lamps" }), make("div", { id: "line" }));
+  $("shown").replaceChildren(make("div", { id: "telltales" }), make("div", { id: "line" }));
 }
 
 function showValues(message) {
@@ -555,11 +545,11 @@ function showValues(message) {
     const state = stateOf(catalog.values[path], text);
     write(cell, state ? named(state) : text);
   }
-  const lit = message.lamps.map(([name, colour]) => `${name} ${colour}`).join();
-  if ($("lamps").dataset.lit !== lit + language) {
-    $("lamps").dataset.lit = lit + language;
-    $("lamps").replaceChildren(...(message.lamps.length ? message.lamps.map(([name, colour]) => make("span", { class: "chip " + colour, "data-lamp": name }, pick(LAMPS[name] || [name, name])))
-      : [make("span", { class: "fact" }, word("no_lamps"))]));
+  const lit = message.telltales.map(([name, colour]) => `${name} ${colour}`).join();
+  if ($("telltales").dataset.lit !== lit + language) {
+    $("telltales").dataset.lit = lit + language;
+    $("telltales").replaceChildren(...(message.telltales.length ? message.telltales.map(([name, colour]) => make("span", { class: "chip " + colour, "data-telltale": name }, named(catalog.telltales.find(it => it.key === name))))
+      : [make("span", { class: "fact" }, word("no_telltales"))]));
   }
   const line = message.line, text = line ? `${named(line)}${line.code === null ? "" : " " + line.code}${line.count > 1 ? `  (${line.position}/${line.count})` : ""}` : "";
   write($("line"), text);

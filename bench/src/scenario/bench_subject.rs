@@ -176,7 +176,7 @@ impl Subject for BenchSubject {
                 let severity = screen.line.map_or(0, |line| line.severity);
                 Answer::word(Severity::from_model(severity.into()).word())
             }),
-            Name::Lamp(lamp) => shown(&|screen| {
+            Name::Telltale(lamp) => shown(&|screen| {
                 Answer::word(if screen.telltales >> *lamp as u8 & 1 != 0 { "on" } else { "off" })
             }),
             Name::Value(value) => Answer::of_sample(self.rig.value(*value), *value),

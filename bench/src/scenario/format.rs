@@ -500,7 +500,7 @@ mod tests {
             "title = \"A title\"\nrules = [\"BUS-R017\"]\nsteps = [\n\
              { at = 0.5, send = \"18F13DF3#0011\", every = 0.1, until = 0.7 },\n\
              { at = 1, press = \"next\" },\n\
-             { at = 2, expect = { lamp.ready = \"on\", \"battery.soc\" = [48, 52], sound = \"none\" }, until = 3 },\n\
+             { at = 2, expect = { telltale.ready = \"on\", \"battery.soc\" = [48, 52], sound = \"none\" }, until = 3 },\n\
              { at = 4, never = { line = { code = 24, severity = \"stop\" } }, within = 0, until = 5.5 },\n]\n",
         )
         .unwrap();
@@ -511,7 +511,7 @@ mod tests {
         assert_eq!(scenario.end_ms, 5_500);
         let demand =
             |name: &str| scenario.demands.iter().find(|demand| demand.name.to_string() == name).unwrap();
-        assert_eq!(demand("lamp.ready").wanted, Wanted::Words(vec!["on".into()]));
+        assert_eq!(demand("telltale.ready").wanted, Wanted::Words(vec!["on".into()]));
         assert_eq!(demand("battery.soc").wanted, Wanted::Range(48.0, 52.0));
         assert_eq!((demand("sound").line, demand("sound").settled_ms), (6, 2_300));
         assert_eq!(demand("sound").until_ms, Some(3_000));
@@ -522,7 +522,7 @@ mod tests {
     #[test]
     fn every_mistake_is_told_with_its_line_and_what_there_is() {
         let all = error(
-            "{ at = 1, expect = { lamp.redy = \"on\" } },\n\
+            "{ at = 1, expect = { telltale.redy = \"on\" } },\n\
              { at = 2, expect = { sound = \"revers\" } },\n\
              { at = 1, expect = { gear = 5 } },\n\
              { at = 3 },\n\

@@ -121,7 +121,7 @@ impl Subject for HostSubject {
             Name::Odometer => Answer::Number(f64::from(view.odometer_hectometres) / 10.0),
             Name::Line => Answer::Line(view.line.map(found)),
             Name::Severity => Answer::word(view.line.map(|line| line.severity).unwrap_or_default().word()),
-            Name::Lamp(lamp) => Answer::word(if view.telltales.is_lit(*lamp) { "on" } else { "off" }),
+            Name::Telltale(lamp) => Answer::word(if view.telltales.is_lit(*lamp) { "on" } else { "off" }),
             Name::Countdown => view.hv_off_s.map_or(Answer::word("none"), |s| Answer::Number(s.into())),
             Name::Limp => match view.limp.map(|limp| limp.limit_deciamps) {
                 None => Answer::word("none"),

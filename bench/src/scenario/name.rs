@@ -27,8 +27,8 @@ pub enum Name {
     Line,
     /// Severity of the message line.
     Severity,
-    /// A lamp.
-    Lamp(Telltale),
+    /// A telltale.
+    Telltale(Telltale),
     /// The sound that plays.
     Sound,
     /// Seconds until the battery opens the high-voltage circuit.
@@ -116,14 +116,15 @@ impl Name {
         }
         let names = plain.map(|(word, _)| word).join(", ");
         let (group, rest) = text.split_once('.').ok_or_else(|| {
-            format!("`{text}` cannot be looked at; there are {names}, lamp.*, sent.*, truth.*, health.* and the values")
+            format!("`{text}` cannot be looked at; there are {names}, telltale.*, sent.*, truth.*, health.* and the values")
         })?;
         match group {
-            "lamp" => {
-                let lamp = Telltale::ALL.iter().find(|lamp| snake(lamp) == rest);
-                let lamps = || Telltale::ALL.iter().map(snake).collect::<Vec<_>>().join(", ");
-                lamp.map(|lamp| Self::Lamp(*lamp))
-                    .ok_or_else(|| format!("no lamp `{rest}`; there are {}", lamps()))
+            "telltale" => {
+                let telltale = Telltale::ALL.iter().find(|telltale| telltale.key() == rest);
+                let all = || Telltale::ALL.iter().map(|it| it.key()).collect::<Vec<_>>().join(", ");
+                telltale
+                    .map(|telltale| Self::Telltale(*telltale))
+                    .ok_or_else(|| format!("no telltale `{rest}`; there are {}", all()))
             }
             "sent" => signal(rest, kind).map(Self::Sent),
             "truth" => {
@@ -155,7 +156,7 @@ impl Name {
     /// Returns what a driver sees and hears, but for numbers that change all the time.
     pub fn on_screen() -> Vec<Self> {
         let plain = [Self::Gear, Self::Line, Self::Sound, Self::Countdown, Self::Limp, Self::Page];
-        plain.into_iter().chain(Telltale::ALL.iter().map(|lamp| Self::Lamp(*lamp))).collect()
+        plain.into_iter().chain(Telltale::ALL.iter().map(|it| Self::Telltale(*it))).collect()
     }
 
     /// Returns what it can be answered with.
@@ -179,7 +180,7 @@ impl Name {
             Self::Odometer => (true, words(&["never"])),
             Self::Line => (false, words(&["none"])),
             Self::Severity => (false, states()),
-            Self::Lamp(_) => (false, words(&["off", "on", "never"])),
+            Self::Telltale(_) => (false, words(&["off", "on", "never"])),
             Self::Sound => (false, sound::words().map(str::to_owned).collect()),
             Self::Countdown => (true, words(&["none"])),
             Self::Limp => (true, words(&["none", "unknown"])),
@@ -205,7 +206,7 @@ impl Name {
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Lamp(lamp) => write!(f, "lamp.{}", snake(lamp)),
+            Self::Telltale(telltale) => write!(f, "telltale.{}", telltale.key()),
             Self::Value(value) => f.write_str(value.path()),
             Self::Sent(signal) => write!(f, "sent.{}.{}", signal.message.name, signal.info().name),
             Self::Truth { path, .. } => write!(f, "truth.{path}"),
@@ -290,7 +291,8 @@ mod tests {
             "odometer",
             "picture",
         ];
-        let more = ["lamp.battery_fault", "lamp.ready", "battery.soc", "sent.Meter1.driver_left_seat"];
+        let more =
+            ["telltale.battery_fault", "telltale.ready", "battery.soc", "sent.Meter1.driver_left_seat"];
         for name in names.into_iter().chain(more).chain(["health.can_state"]) {
             match Name::read(name, Kind::Citybus) {
                 Ok(read) => assert_eq!(read.to_string(), name),
@@ -340,7 +342,7 @@ mod tests {
     #[test]
     fn an_unknown_name_is_told_with_what_there_is() {
         let error = |name: &str| Name::read(name, Kind::Citybus).unwrap_err();
-        assert!(error("lamp.redy").contains("ready"));
+        assert!(error("telltale.redy").contains("ready"));
         assert!(error("battery.sock").contains("battery.soc"));
         assert!(error("sent.VCU1.speed").contains("Meter1"));
         assert!(error("health.x").contains("can_state"));

@@ -209,7 +209,7 @@ mod tests {
 
         fn look(&mut self, name: &Name) -> Option<Answer> {
             let lit = (self.lit.0..self.lit.1).contains(&self.now_ms);
-            matches!(name, Name::Lamp(_)).then(|| Answer::word(if lit { "on" } else { "off" }))
+            matches!(name, Name::Telltale(_)).then(|| Answer::word(if lit { "on" } else { "off" }))
         }
 
         fn sound_at(&self, ms: u64) -> Answer {
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn an_expectation_must_come_true_within_its_time() {
-        for name in [("lamp.ready = \"on\""), ("sound = \"stop\"")] {
+        for name in [("telltale.ready = \"on\""), ("sound = \"stop\"")] {
             let step =
                 |at: f64, within: f64| format!("{{ at = {at}, expect = {{ {name} }}, within = {within} }},");
             assert!(failures(&step(0.7, 0.3)).is_empty());
@@ -244,16 +244,16 @@ mod tests {
     #[test]
     fn what_must_hold_until_a_time_may_not_fail_once() {
         let step = |at: f64, until: f64| {
-            format!("{{ at = {at}, expect = {{ lamp.ready = \"on\" }}, within = 0.1, until = {until} }},")
+            format!("{{ at = {at}, expect = {{ telltale.ready = \"on\" }}, within = 0.1, until = {until} }},")
         };
         assert!(failures(&step(0.9, 1.99)).is_empty());
         assert_eq!(
             failures(&step(0.9, 2.5)),
-            ["citybus/test.toml:3: at 2 s expected lamp.ready on, got off (host)"]
+            ["citybus/test.toml:3: at 2 s expected telltale.ready on, got off (host)"]
         );
         assert_eq!(
             failures(&step(0.8, 1.5)),
-            ["citybus/test.toml:3: at 0.9 s expected lamp.ready on, got off (host)"]
+            ["citybus/test.toml:3: at 0.9 s expected telltale.ready on, got off (host)"]
         );
     }
 
@@ -273,14 +273,14 @@ mod tests {
     #[test]
     fn what_the_subject_cannot_show_is_left_out_and_a_stop_fails_all_that_comes_later() {
         assert!(failures("{ at = 1, expect = { health.tec = 5 } },").is_empty());
-        let text = "title = \"t\"\nsteps = [\n{ at = 1.2, expect = { lamp.ready = true } },\n\
-                    { at = 5, expect = { lamp.ready = false, sound = \"none\" } },\n]\n";
+        let text = "title = \"t\"\nsteps = [\n{ at = 1.2, expect = { telltale.ready = true } },\n\
+                    { at = 5, expect = { telltale.ready = false, sound = \"none\" } },\n]\n";
         let scenario = parse("citybus/test.toml", Kind::Citybus, text).unwrap();
         let mut subject = Script { now_ms: 0, lit: (1_000, 2_000), sound: (0, 0), broken_at: 3_000 };
         let failures = run(&scenario, &mut subject).failures;
         assert_eq!(failures[0], "citybus/test.toml:1: it broke (host)");
         assert!(
-            failures[1].contains("citybus/test.toml:4: at 5 s expected lamp.ready off, got nothing"),
+            failures[1].contains("citybus/test.toml:4: at 5 s expected telltale.ready off, got nothing"),
             "{failures:?}"
         );
     }

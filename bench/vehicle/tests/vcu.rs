@@ -161,7 +161,7 @@ fn bus_r028_codes_of_one_level_take_turns_of_a_second() {
     assert_eq!(lengths[..4], [(21, 100), (22, 100), (21, 100), (22, 100)]);
     let mut sent = BTreeSet::new();
     ride.watch(8, |ride| {
-        sent.extend(ride.fresh(citybus::id::VCU7).map(|data| citybus::Vcu7(data).dtc_raw()))
+        sent.extend(ride.fresh(citybus::id::VCU7).map(|data| citybus::Vcu7(data).dtc_raw()));
     });
     assert_eq!(sent, BTreeSet::from([21, 22]));
 }

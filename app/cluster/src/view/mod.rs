@@ -5,7 +5,7 @@
 pub mod page;
 
 use crate::history::Source;
-use crate::telltale::Telltales;
+use crate::telltales::Telltales;
 use page::{CELLS, Page, Part, ROWS};
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Severity, Shown};

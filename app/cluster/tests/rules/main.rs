@@ -2,7 +2,6 @@
 
 mod arbitration;
 mod faults;
-mod lamps;
 mod odometer;
 mod own_wires;
 mod pages;
@@ -10,6 +9,7 @@ mod properties;
 mod reception;
 mod screen;
 mod sounds;
+mod telltales;
 mod transmit;
 mod worlds;
 

@@ -1,8 +1,9 @@
 //! The telltale symbols, drawn after the ideas of ISO 2575 on a grid of 22 x 22 pixels.
 //!
-//! Own drawings as code. The order is that of `cluster::Telltale::ALL`; READY is written, not drawn.
+//! Own drawings as code, each under the key of its telltale; READY is written, not drawn.
 
 use crate::shapes::{P, Shape};
+use std::collections::BTreeMap;
 
 /// Width and height of an icon in pixels.
 pub(crate) const SIZE: usize = 22;
@@ -130,8 +131,49 @@ fn join(parts: impl IntoIterator<Item = Vec<Shape>>) -> Vec<Shape> {
     parts.into_iter().flatten().collect()
 }
 
-/// Returns each symbol with its name, in the order of the telltales; `READY` has no shapes.
-pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
+/// A letter in a box of 3.8 by 7.4, as strokes of points.
+type Letter = &'static [&'static [P]];
+
+const A: Letter = &[&[(0.0, 7.4), (1.9, 0.0), (3.8, 7.4)], &[(0.7, 4.9), (3.1, 4.9)]];
+const B: Letter = &[
+    &[(0.0, 0.0), (0.0, 7.4), (2.6, 7.4), (3.8, 6.4), (3.8, 4.6), (2.6, 3.6), (0.0, 3.6)],
+    &[(0.0, 0.0), (2.4, 0.0), (3.4, 0.9), (3.4, 2.7), (2.6, 3.6)],
+];
+const D: Letter = &[&[(0.0, 0.0), (0.0, 7.4), (2.2, 7.4), (3.8, 5.8), (3.8, 1.6), (2.2, 0.0), (0.0, 0.0)]];
+const E: Letter = &[&[(3.8, 0.0), (0.0, 0.0), (0.0, 7.4), (3.8, 7.4)], &[(0.0, 3.7), (3.0, 3.7)]];
+const S: Letter = &[&[
+    (3.7, 1.2),
+    (2.7, 0.0),
+    (1.1, 0.0),
+    (0.1, 1.0),
+    (0.1, 2.6),
+    (1.1, 3.6),
+    (2.8, 3.8),
+    (3.8, 4.8),
+    (3.8, 6.4),
+    (2.8, 7.4),
+    (1.0, 7.4),
+    (0.0, 6.2),
+]];
+
+/// Three letters beside each other in the middle of the symbol.
+fn letters(word: [Letter; 3]) -> Vec<Shape> {
+    let placed = |(place, letter): (usize, Letter)| {
+        let (x, y) = (3.6 + 5.5 * place as f32, 7.3);
+        letter
+            .iter()
+            .map(move |points| Shape::Stroke(1.3, points.iter().map(|(dx, dy)| (x + dx, y + dy)).collect()))
+    };
+    word.into_iter().enumerate().flat_map(placed).collect()
+}
+
+/// The two arcs that ISO 2575 puts around what concerns the brakes.
+fn brake_brackets() -> Vec<Shape> {
+    vec![Shape::Arc((11.0, 11.0), 10.0, 1.6, 125.0, 235.0), Shape::Arc((11.0, 11.0), 10.0, 1.6, -55.0, 55.0)]
+}
+
+/// Returns each symbol with the key of its telltale; `ready` has no shapes.
+pub(crate) fn all() -> BTreeMap<&'static str, Vec<Shape>> {
     let arrow = vec![fill(&[
         (1.4, 11.0),
         (10.4, 2.6),
@@ -147,17 +189,17 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
         Shape::Stroke(4.6, vec![(3.6, 20.0), (18.4, 2.0)]).erase(),
         Shape::Stroke(2.0, vec![(3.6, 20.0), (18.4, 2.0)]),
     ];
-    vec![
-        ("turn left", arrow.clone()),
-        ("turn right", mirrored(arrow)),
-        ("low beam", join([lamp(), beams(&[4.4, 8.0, 11.6, 15.2], 2.4)])),
-        ("high beam", join([lamp(), beams(&[4.0, 9.0, 13.0, 18.0], 0.0)])),
-        ("front fog", fog()),
-        ("rear fog", mirrored(rear_fog())),
+    BTreeMap::from([
+        ("turn_left", arrow.clone()),
+        ("turn_right", mirrored(arrow)),
+        ("low_beam", join([lamp(), beams(&[4.4, 8.0, 11.6, 15.2], 2.4)])),
+        ("high_beam", join([lamp(), beams(&[4.0, 9.0, 13.0, 18.0], 0.0)])),
+        ("front_fog", fog()),
+        ("rear_fog", mirrored(rear_fog())),
         ("ready", vec![]),
-        ("system fault", join([car(), bang(11.0, 7.0, 14.0)])),
-        ("battery fault", join([battery(), bang(11.0, 9.0, 17.0)])),
-        ("motor fault", join([motor(), bang(11.0, 6.0, 14.0)])),
+        ("system_fault", join([car(), bang(11.0, 7.0, 14.0)])),
+        ("battery_fault", join([battery(), bang(11.0, 9.0, 17.0)])),
+        ("motor_fault", join([motor(), bang(11.0, 6.0, 14.0)])),
         (
             "insulation",
             vec![
@@ -168,7 +210,7 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
             ],
         ),
         (
-            "power limited",
+            "power_limited",
             vec![
                 Shape::Disc((9.0, 13.5), 7.0),
                 fill(&[(0.0, 13.0), (22.0, 13.0), (22.0, 22.0), (0.0, 22.0)]).erase(),
@@ -182,7 +224,7 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
             ],
         ),
         (
-            "low charge",
+            "low_charge",
             join([
                 battery(),
                 vec![
@@ -192,9 +234,9 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
                 ],
             ]),
         ),
-        ("battery cut", join([battery(), slash])),
+        ("battery_cut", join([battery(), slash])),
         (
-            "charge plug",
+            "charge_plug",
             vec![
                 fill(&[(5.6, 7.6), (16.4, 7.6), (16.4, 10.4), (13.4, 14.4), (8.6, 14.4), (5.6, 10.4)]),
                 Shape::Stroke(2.0, vec![(8.0, 3.0), (8.0, 8.0)]),
@@ -204,7 +246,7 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
         ),
         ("charging", join([battery(), vec![bolt(11.0, 13.0, 3.4, 5.2)]])),
         (
-            "low voltage",
+            "low_voltage",
             join([
                 battery(),
                 vec![
@@ -236,7 +278,7 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
             ],
         ),
         (
-            "parking brake",
+            "parking_brake",
             vec![
                 Shape::ring((11.0, 11.0), 6.6, LINE),
                 Shape::Arc((11.0, 11.0), 9.7, 1.7, 140.0, 220.0),
@@ -269,7 +311,7 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
             ],
         ),
         (
-            "air pressure",
+            "air_pressure",
             vec![
                 Shape::Arc((11.0, 12.2), 8.4, LINE, 150.0, 390.0),
                 Shape::Stroke(2.0, vec![(11.0, 12.2), (6.2, 9.0)]),
@@ -280,7 +322,7 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
             ],
         ),
         (
-            "no communication",
+            "no_communication",
             vec![
                 boxed(2.0, 8.0, 7.0, 14.0),
                 boxed(15.0, 8.0, 20.0, 14.0),
@@ -292,5 +334,7 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Shape>)> {
                 Shape::Stroke(4.0, vec![(9.6, 4.0), (12.4, 4.0)]).erase(),
             ],
         ),
-    ]
+        ("anti_lock", join([brake_brackets(), letters([A, B, S])])),
+        ("brake_force", join([brake_brackets(), letters([E, B, D])])),
+    ])
 }

@@ -1,7 +1,8 @@
 //! Draws the glyphs, icons and dial tables of the screens.
 //!
-//! Owns everything in `app/ui/src/fonts/` but `mod.rs`. The Chinese characters are those found in the sources: add a text,
-//! run `cargo xtask fonts`, commit what changed. `--check` writes nothing and fails if a file would change.
+//! Owns everything in `app/ui/src/fonts/` but `mod.rs`. The Chinese characters are those of the cluster's texts, of the
+//! sources in `app/ui` and of the vehicles' files: add a text, run `cargo xtask fonts`, commit what changed. `--check`
+//! writes nothing and fails if a file would change.
 //! Not supported: fonts other than Noto Sans, right-to-left scripts, kerning.
 
 mod dial;
@@ -10,6 +11,7 @@ mod icons;
 mod shapes;
 
 use anyhow::{Context, Result, bail};
+use cluster::Telltale;
 use std::{
     collections::BTreeSet,
     fmt::Write,
@@ -41,19 +43,24 @@ fn collect(folder: &Path, extension: &str, found: &mut BTreeSet<char>) -> Result
     Ok(())
 }
 
-/// Writes the icon table.
-fn icon_source(bits: &mut Vec<u8>) -> String {
+/// Writes the icon table, in the order of the telltales.
+fn icon_source(bits: &mut Vec<u8>) -> Result<String> {
     let mut source = format!(
         "/// Width and height of an icon.\npub(crate) const ICON_SIZE: u16 = {};\n\
          /// Icons in the order of the telltales; READY is empty.\n\
          pub(crate) static ICON_BITS: &[u8] = include_bytes!(\"icons.bin\");\n",
         icons::SIZE
     );
-    for (place, (name, shapes)) in icons::all().into_iter().enumerate() {
-        writeln!(source, "// {place}: {name}").expect("writing to a string");
+    let mut icons = icons::all();
+    for (place, key) in Telltale::ALL.iter().map(|telltale| telltale.key()).enumerate() {
+        let shapes = icons.remove(key).with_context(|| format!("no symbol is drawn for `{key}`"))?;
+        writeln!(source, "// {place}: {key}").expect("writing to a string");
         faces::pack(&shapes::rasterise(&shapes, icons::SIZE, icons::SIZE), icons::SIZE, bits);
     }
-    source
+    if let Some(key) = icons.keys().next() {
+        bail!("no telltale has the symbol `{key}`");
+    }
+    Ok(source)
 }
 
 fn main() -> Result<()> {
@@ -65,7 +72,8 @@ fn main() -> Result<()> {
     let mut labels = BTreeSet::new();
     labels.extend(fs::read_to_string(root.join("app/ui/src/words.rs"))?.chars().filter(|&c| is_chinese(c)));
     let mut texts = BTreeSet::new();
-    collect(&root.join("app"), "rs", &mut texts)?;
+    texts.extend(cluster::texts::ALL.iter().flat_map(|text| text.zh.chars()).filter(|&c| is_chinese(c)));
+    collect(&root.join("app/ui"), "rs", &mut texts)?;
     collect(&root.join("vehicles"), "toml", &mut texts)?;
 
     let mut source = String::from(
@@ -79,7 +87,7 @@ fn main() -> Result<()> {
         files.push((target.join(packed.file), packed.bits));
     }
     let mut icon_bits = Vec::new();
-    source.push_str(&icon_source(&mut icon_bits));
+    source.push_str(&icon_source(&mut icon_bits)?);
     files.push((target.join("icons.bin"), icon_bits));
     let dial = dial::generate();
     source.push('\n');

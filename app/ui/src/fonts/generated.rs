@@ -420,12 +420,12 @@ pub(crate) static MESSAGE: Font = Font {
     bits: include_bytes!("message.bin"),
 };
 
-static MESSAGE_GLYPHS: [Glyph; 327] = [
-    Glyph::new(0x0001, 0, 5, 9, 2, 9, 36976),
-    Glyph::new(0x0002, 0, 2, 9, 8, 9, 36986),
-    Glyph::new(0x0003, 0, 2, 9, 8, 9, 37026),
-    Glyph::new(0x0004, 0, 2, 9, 7, 9, 37066),
-    Glyph::new(0x0005, 0, 3, 9, 7, 9, 37101),
+static MESSAGE_GLYPHS: [Glyph; 326] = [
+    Glyph::new(0x0001, 0, 5, 9, 2, 9, 36823),
+    Glyph::new(0x0002, 0, 2, 9, 8, 9, 36833),
+    Glyph::new(0x0003, 0, 2, 9, 8, 9, 36873),
+    Glyph::new(0x0004, 0, 2, 9, 7, 9, 36913),
+    Glyph::new(0x0005, 0, 3, 9, 7, 9, 36948),
     Glyph::new(0x0020, 0, 12, 0, 0, 4, 0),
     Glyph::new(0x0021, 1, -1, 3, 14, 5, 0),
     Glyph::new(0x0022, 1, -1, 6, 6, 7, 28),
@@ -692,91 +692,92 @@ static MESSAGE_GLYPHS: [Glyph; 327] = [
     Glyph::new(0x7f18, 0, -2, 17, 17, 17, 28285),
     Glyph::new(0x7f3a, 0, -2, 17, 17, 17, 28438),
     Glyph::new(0x8017, 0, -2, 17, 17, 17, 28591),
-    Glyph::new(0x8054, 0, -2, 17, 17, 17, 28744),
-    Glyph::new(0x80fd, 0, -2, 17, 17, 17, 28897),
-    Glyph::new(0x81ea, 2, -2, 13, 17, 17, 29050),
-    Glyph::new(0x822a, 0, -2, 17, 17, 17, 29169),
-    Glyph::new(0x8282, 0, -2, 17, 17, 17, 29322),
-    Glyph::new(0x82af, 0, -2, 17, 17, 17, 29475),
-    Glyph::new(0x884c, 0, -2, 17, 17, 17, 29628),
-    Glyph::new(0x8861, 0, -2, 17, 17, 17, 29781),
-    Glyph::new(0x8868, 0, -2, 17, 17, 17, 29934),
-    Glyph::new(0x88ab, 0, -2, 17, 17, 17, 30087),
-    Glyph::new(0x89e6, 0, -2, 17, 17, 17, 30240),
-    Glyph::new(0x8b66, 0, -2, 17, 17, 17, 30393),
-    Glyph::new(0x8baf, 0, -2, 17, 17, 17, 30546),
-    Glyph::new(0x8bbe, 0, -2, 17, 17, 17, 30699),
-    Glyph::new(0x8bef, 0, -1, 17, 16, 17, 30852),
-    Glyph::new(0x8bf7, 0, -2, 17, 17, 17, 30996),
-    Glyph::new(0x8c03, 0, -2, 16, 17, 17, 31149),
-    Glyph::new(0x8d1f, 0, -2, 16, 17, 17, 31285),
-    Glyph::new(0x8d25, 0, -2, 17, 17, 17, 31421),
-    Glyph::new(0x8d85, 0, -2, 17, 17, 17, 31574),
-    Glyph::new(0x8def, 0, -2, 17, 17, 17, 31727),
-    Glyph::new(0x8df3, 0, -2, 17, 17, 17, 31880),
-    Glyph::new(0x8f66, 0, -2, 17, 17, 17, 32033),
-    Glyph::new(0x8f6c, 0, -2, 17, 17, 17, 32186),
-    Glyph::new(0x8f7d, 0, -2, 17, 17, 17, 32339),
-    Glyph::new(0x8f93, 0, -2, 17, 17, 17, 32492),
-    Glyph::new(0x8fc7, 0, -2, 17, 17, 17, 32645),
-    Glyph::new(0x8fde, 0, -2, 17, 17, 17, 32798),
-    Glyph::new(0x9001, 0, -2, 17, 17, 17, 32951),
-    Glyph::new(0x901a, 0, -1, 17, 16, 17, 33104),
-    Glyph::new(0x901f, 0, -2, 17, 17, 17, 33248),
-    Glyph::new(0x90e8, 0, -2, 17, 17, 17, 33401),
-    Glyph::new(0x914d, 0, -1, 17, 16, 17, 33554),
-    Glyph::new(0x91cc, 0, -1, 17, 15, 17, 33698),
-    Glyph::new(0x91cd, 0, -2, 17, 16, 17, 33833),
-    Glyph::new(0x91cf, 0, -1, 17, 16, 17, 33977),
-    Glyph::new(0x9501, 0, -2, 17, 17, 17, 34121),
-    Glyph::new(0x9519, 0, -2, 17, 17, 17, 34274),
-    Glyph::new(0x952e, 0, -2, 17, 17, 17, 34427),
-    Glyph::new(0x957f, 0, -2, 17, 17, 17, 34580),
-    Glyph::new(0x95e8, 1, -2, 15, 17, 17, 34733),
-    Glyph::new(0x95ed, 1, -2, 15, 17, 17, 34869),
-    Glyph::new(0x95f4, 1, -2, 15, 17, 17, 35005),
-    Glyph::new(0x9644, 1, -2, 16, 17, 17, 35141),
-    Glyph::new(0x9650, 1, -1, 16, 16, 17, 35277),
-    Glyph::new(0x9664, 1, -2, 16, 17, 17, 35405),
-    Glyph::new(0x969c, 1, -2, 16, 17, 17, 35541),
-    Glyph::new(0x96f6, 0, -1, 17, 16, 17, 35677),
-    Glyph::new(0x96fe, 0, -1, 17, 16, 17, 35821),
-    Glyph::new(0x971c, 0, -1, 16, 16, 17, 35965),
-    Glyph::new(0x9884, 0, -1, 17, 16, 17, 36093),
-    Glyph::new(0x9988, 0, -2, 17, 17, 17, 36237),
-    Glyph::new(0x9a71, 0, -1, 17, 16, 17, 36390),
-    Glyph::new(0x9a8c, 0, -2, 17, 17, 17, 36534),
-    Glyph::new(0x9ad8, 0, -2, 16, 17, 17, 36687),
-    Glyph::new(0x9f99, 0, -2, 17, 17, 17, 36823),
+    Glyph::new(0x80fd, 0, -2, 17, 17, 17, 28744),
+    Glyph::new(0x81ea, 2, -2, 13, 17, 17, 28897),
+    Glyph::new(0x822a, 0, -2, 17, 17, 17, 29016),
+    Glyph::new(0x8282, 0, -2, 17, 17, 17, 29169),
+    Glyph::new(0x82af, 0, -2, 17, 17, 17, 29322),
+    Glyph::new(0x884c, 0, -2, 17, 17, 17, 29475),
+    Glyph::new(0x8861, 0, -2, 17, 17, 17, 29628),
+    Glyph::new(0x8868, 0, -2, 17, 17, 17, 29781),
+    Glyph::new(0x88ab, 0, -2, 17, 17, 17, 29934),
+    Glyph::new(0x89e6, 0, -2, 17, 17, 17, 30087),
+    Glyph::new(0x8b66, 0, -2, 17, 17, 17, 30240),
+    Glyph::new(0x8baf, 0, -2, 17, 17, 17, 30393),
+    Glyph::new(0x8bbe, 0, -2, 17, 17, 17, 30546),
+    Glyph::new(0x8bef, 0, -1, 17, 16, 17, 30699),
+    Glyph::new(0x8bf7, 0, -2, 17, 17, 17, 30843),
+    Glyph::new(0x8c03, 0, -2, 16, 17, 17, 30996),
+    Glyph::new(0x8d1f, 0, -2, 16, 17, 17, 31132),
+    Glyph::new(0x8d25, 0, -2, 17, 17, 17, 31268),
+    Glyph::new(0x8d85, 0, -2, 17, 17, 17, 31421),
+    Glyph::new(0x8def, 0, -2, 17, 17, 17, 31574),
+    Glyph::new(0x8df3, 0, -2, 17, 17, 17, 31727),
+    Glyph::new(0x8f66, 0, -2, 17, 17, 17, 31880),
+    Glyph::new(0x8f6c, 0, -2, 17, 17, 17, 32033),
+    Glyph::new(0x8f7d, 0, -2, 17, 17, 17, 32186),
+    Glyph::new(0x8f93, 0, -2, 17, 17, 17, 32339),
+    Glyph::new(0x8fc7, 0, -2, 17, 17, 17, 32492),
+    Glyph::new(0x8fde, 0, -2, 17, 17, 17, 32645),
+    Glyph::new(0x9001, 0, -2, 17, 17, 17, 32798),
+    Glyph::new(0x901a, 0, -1, 17, 16, 17, 32951),
+    Glyph::new(0x901f, 0, -2, 17, 17, 17, 33095),
+    Glyph::new(0x90e8, 0, -2, 17, 17, 17, 33248),
+    Glyph::new(0x914d, 0, -1, 17, 16, 17, 33401),
+    Glyph::new(0x91cc, 0, -1, 17, 15, 17, 33545),
+    Glyph::new(0x91cd, 0, -2, 17, 16, 17, 33680),
+    Glyph::new(0x91cf, 0, -1, 17, 16, 17, 33824),
+    Glyph::new(0x9501, 0, -2, 17, 17, 17, 33968),
+    Glyph::new(0x9519, 0, -2, 17, 17, 17, 34121),
+    Glyph::new(0x952e, 0, -2, 17, 17, 17, 34274),
+    Glyph::new(0x957f, 0, -2, 17, 17, 17, 34427),
+    Glyph::new(0x95e8, 1, -2, 15, 17, 17, 34580),
+    Glyph::new(0x95ed, 1, -2, 15, 17, 17, 34716),
+    Glyph::new(0x95f4, 1, -2, 15, 17, 17, 34852),
+    Glyph::new(0x9644, 1, -2, 16, 17, 17, 34988),
+    Glyph::new(0x9650, 1, -1, 16, 16, 17, 35124),
+    Glyph::new(0x9664, 1, -2, 16, 17, 17, 35252),
+    Glyph::new(0x969c, 1, -2, 16, 17, 17, 35388),
+    Glyph::new(0x96f6, 0, -1, 17, 16, 17, 35524),
+    Glyph::new(0x96fe, 0, -1, 17, 16, 17, 35668),
+    Glyph::new(0x971c, 0, -1, 16, 16, 17, 35812),
+    Glyph::new(0x9884, 0, -1, 17, 16, 17, 35940),
+    Glyph::new(0x9988, 0, -2, 17, 17, 17, 36084),
+    Glyph::new(0x9a71, 0, -1, 17, 16, 17, 36237),
+    Glyph::new(0x9a8c, 0, -2, 17, 17, 17, 36381),
+    Glyph::new(0x9ad8, 0, -2, 16, 17, 17, 36534),
+    Glyph::new(0x9f99, 0, -2, 17, 17, 17, 36670),
 ];
 
 /// Width and height of an icon.
 pub(crate) const ICON_SIZE: u16 = 22;
 /// Icons in the order of the telltales; READY is empty.
 pub(crate) static ICON_BITS: &[u8] = include_bytes!("icons.bin");
-// 0: turn left
-// 1: turn right
-// 2: low beam
-// 3: high beam
-// 4: front fog
-// 5: rear fog
+// 0: turn_left
+// 1: turn_right
+// 2: low_beam
+// 3: high_beam
+// 4: front_fog
+// 5: rear_fog
 // 6: ready
-// 7: system fault
-// 8: battery fault
-// 9: motor fault
+// 7: system_fault
+// 8: battery_fault
+// 9: motor_fault
 // 10: insulation
-// 11: power limited
-// 12: low charge
-// 13: battery cut
-// 14: charge plug
+// 11: power_limited
+// 12: low_charge
+// 13: battery_cut
+// 14: charge_plug
 // 15: charging
-// 16: low voltage
+// 16: low_voltage
 // 17: steering
 // 18: compressor
-// 19: parking brake
+// 19: parking_brake
 // 20: door
-// 21: air pressure
-// 22: no communication
+// 21: air_pressure
+// 22: no_communication
+// 23: anti_lock
+// 24: brake_force
 
 /// First row of the dial.
 pub(crate) const DIAL_TOP: u16 = 27;

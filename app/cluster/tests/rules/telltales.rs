@@ -1,7 +1,7 @@
-//! Telltales: which condition lights which lamp, and what silence does.
+//! Telltales: which condition lights which, what silence does, and who is seen of two in one cell.
 
 use crate::toy::*;
-use cluster::{Inputs, Lamp, Telltale, Telltales};
+use cluster::{Inputs, Place, Telltale, TelltaleColour, Telltales};
 use protocol_core::Millis;
 use protocol_core::Value;
 
@@ -42,6 +42,34 @@ fn the_lamps_check_says_nothing_of_power_and_charge_and_hides_nothing_of_them() 
 }
 
 #[test]
+fn of_two_in_one_cell_each_is_seen_for_half_a_second_in_turn_and_one_alone_all_the_time() {
+    for &guest in Telltale::ALL {
+        let Place::With(host) = guest.place() else { continue };
+        let lit = |of: &[Telltale]| {
+            let mut lit = Telltales::NONE;
+            of.iter().for_each(|&telltale| lit.set(telltale, true));
+            lit
+        };
+        assert_eq!(lit(&[guest, host]).in_turn(false), lit(&[host]), "{guest:?}");
+        assert_eq!(lit(&[guest, host]).in_turn(true), lit(&[guest]), "{guest:?}");
+        for turn in [false, true] {
+            assert_eq!(lit(&[guest]).in_turn(turn), lit(&[guest]));
+            assert_eq!(lit(&[host]).in_turn(turn), lit(&[host]));
+        }
+    }
+    // Half a second is that of the view, and the check after start shows both.
+    let mut drive = Drive::silent();
+    let mut seen = [Telltales::NONE; 2];
+    for _ in 0..100 {
+        drive.run(TICK);
+        let view = drive.view();
+        seen[usize::from(view.heartbeat)] = view.telltales.in_turn(view.heartbeat);
+    }
+    assert_eq!(seen[0].bits() | seen[1].bits(), Telltales::ALL.bits());
+    assert_ne!(seen[0], seen[1]);
+}
+
+#[test]
 fn a_real_fault_during_the_bulb_check_stays_lit_after_it() {
     let mut drive = Drive::silent();
     drive.keep(DRIVE, [3, 0, 0, 0b10, 0, 0, 0, 0]);
@@ -59,7 +87,7 @@ fn a_healthy_vehicle_shows_only_ready() {
 #[test]
 fn bus_r022_ready_follows_its_bit_and_is_green() {
     let mut drive = Drive::healthy();
-    assert_eq!(Telltale::Ready.colour(), Lamp::Green);
+    assert_eq!(Telltale::Ready.colour(), TelltaleColour::Green);
     drive.keep(DRIVE, [3, 0, 0, 0, 0, 0, 0, 0]);
     drive.run(CYCLE);
     assert_eq!(lit(&drive), []);
@@ -68,7 +96,7 @@ fn bus_r022_ready_follows_its_bit_and_is_green() {
 #[test]
 fn bus_r023_and_bus_111_the_system_fault_lamp_follows_its_bit_alone() {
     let mut drive = Drive::healthy();
-    assert_eq!(Telltale::SystemFault.colour(), Lamp::Red);
+    assert_eq!(Telltale::SystemFault.colour(), TelltaleColour::Red);
     drive.faults(3, 4);
     drive.battery_faults(3, 4);
     drive.run(CYCLE);

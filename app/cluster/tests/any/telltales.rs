@@ -18,6 +18,8 @@ const WARNINGS: &[Telltale] = &[
     Telltale::Steering,
     Telltale::Compressor,
     Telltale::AirPressure,
+    Telltale::AntiLock,
+    Telltale::BrakeForce,
 ];
 
 const CONDITIONS: &[(V, i32, Telltale)] = &[
@@ -57,6 +59,8 @@ const CONDITIONS: &[(V, i32, Telltale)] = &[
     (V::BodyDoorMiddle, 1, Telltale::Door),
     (V::AirFront, 39, Telltale::AirPressure),
     (V::AirRear, 39, Telltale::AirPressure),
+    (V::BrakeAbsFault, 1, Telltale::AntiLock),
+    (V::BrakeEbdFault, 1, Telltale::BrakeForce),
 ];
 
 #[test]

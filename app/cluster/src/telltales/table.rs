@@ -1,0 +1,268 @@
+//! The table of telltales: one row each, from which all that concerns one is derived.
+//!
+//! Owns name, colour, words, place and conditions of every telltale. To add one: a row here, and its symbol under the
+//! same key in `app/ui/fontgen`. Rows are added at the end: a row's number is its bit in records.
+//! Source: ISO 2575 clause 5 / UN R121: red = danger, yellow = caution, green = in operation, blue = high beam only;
+//! BUS-R022 to BUS-R025, BUS-R096, BUS-39, BUS-75, BUS-108 to BUS-111, BUS-R128; JL-R013; C5-R012; readings JL-23, JL-24,
+//! JL-56, C5-34; GB 7258 (air pressure).
+
+use protocol_core::model::Value;
+use protocol_core::states::{Charge, Contactor, Run};
+
+/// Colour of a telltale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TelltaleColour {
+    /// Danger: act at once.
+    Red,
+    /// Caution: outside normal limits.
+    Yellow,
+    /// In normal operation.
+    Green,
+    /// High beam, nothing else.
+    Blue,
+}
+
+impl TelltaleColour {
+    /// Returns the public name of the colour.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Red => "red",
+            Self::Yellow => "yellow",
+            Self::Green => "green",
+            Self::Blue => "blue",
+        }
+    }
+}
+
+/// Where a telltale stands: fixed, as ISO 2575 wants it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A cell of its own: row 0 or 1, column 0 to 11.
+    Cell(u8, u8),
+    /// The cell of another telltale, which has one of its own. While both are lit they take turns of half a second.
+    With(Telltale),
+}
+
+/// What silence does to a telltale.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Silence {
+    /// Nothing healthy is lit from stale data.
+    Darkens,
+    /// A warning stays as it last was (BUS-108).
+    Keeps,
+}
+
+/// What a condition looks at.
+pub(super) enum When {
+    /// The value is this.
+    Is(Value, i32),
+    /// The value is this or more.
+    AtLeast(Value, i32),
+    /// The value has fallen below the first limit and has not yet risen above the second.
+    Low(Value, i32, i32),
+    /// A node has stopped sending.
+    AnySilent,
+}
+
+/// One of the conditions that light a telltale.
+pub(super) struct Condition {
+    pub(super) when: When,
+    /// Not for a vehicle that sends this: it commands the telltale itself (C5-34, BUS-111).
+    pub(super) unless_sent: Option<Value>,
+}
+
+impl Condition {
+    const fn unless_sent(mut self, value: Value) -> Self {
+        self.unless_sent = Some(value);
+        self
+    }
+}
+
+const fn when(when: When) -> Condition {
+    Condition { when, unless_sent: None }
+}
+
+const fn is(value: Value, number: i32) -> Condition {
+    when(When::Is(value, number))
+}
+
+const fn at_least(value: Value, number: i32) -> Condition {
+    when(When::AtLeast(value, number))
+}
+
+const fn low(value: Value, on_below: i32, off_above: i32) -> Condition {
+    when(When::Low(value, on_below, off_above))
+}
+
+/// What lights a telltale and what silence does to it.
+pub(super) struct Row {
+    pub(super) silence: Silence,
+    pub(super) conditions: &'static [Condition],
+}
+
+macro_rules! telltales {
+    ($($(#[$doc:meta])* $name:ident $key:literal $zh:literal $en:literal, $colour:ident, $place:expr, $silence:ident:
+       $($condition:expr),+;)*) => {
+        /// A telltale of the cluster.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        #[repr(u8)]
+        pub enum Telltale { $($(#[$doc])* $name),* }
+
+        impl Telltale {
+            /// Every telltale, in the order of its bits in records.
+            pub const ALL: &'static [Self] = &[$(Self::$name),*];
+
+            /// Returns the public name: scenarios, the bench page, `replay` and the symbol have it.
+            pub const fn key(self) -> &'static str {
+                match self { $(Self::$name => $key),* }
+            }
+
+            /// Returns what a person calls it, in Chinese.
+            pub const fn zh(self) -> &'static str {
+                match self { $(Self::$name => $zh),* }
+            }
+
+            /// Returns what a person calls it, in English.
+            pub const fn en(self) -> &'static str {
+                match self { $(Self::$name => $en),* }
+            }
+
+            /// Returns the colour.
+            pub const fn colour(self) -> TelltaleColour {
+                match self { $(Self::$name => TelltaleColour::$colour),* }
+            }
+
+            /// Returns the place.
+            pub const fn place(self) -> Place {
+                match self { $(Self::$name => $place),* }
+            }
+        }
+
+        /// The conditions, in the order of [`Telltale::ALL`].
+        pub(super) const ROWS: &[Row] = &[$(Row { silence: Silence::$silence, conditions: &[$($condition),+] }),*];
+    };
+}
+
+/// State of charge below which the telltale lights and above which it goes out, in 0.1 % (BUS-R096).
+const SOC_LOW: i32 = 200;
+const SOC_LOW_CLEAR: i32 = 220;
+/// Air pressure, in 0.01 MPa, below which a bus may not start off (GB 7258: 400 kPa where nothing else is marked).
+const AIR_LOW: i32 = 40;
+
+const OPEN: i32 = Contactor::Open.number();
+const CHARGING: i32 = Charge::Charging.number();
+const FAULT: i32 = Run::Fault.number();
+
+use Place::{Cell, With};
+use Value as V;
+
+#[rustfmt::skip]
+telltales! {
+    /// Left direction indicator.
+    TurnLeft "turn_left" "左转" "Left turn", Green, Cell(0, 0), Darkens: is(V::BodyTurnLeft, 1);
+    /// Right direction indicator.
+    TurnRight "turn_right" "右转" "Right turn", Green, Cell(0, 11), Darkens: is(V::BodyTurnRight, 1);
+    /// Dipped beam.
+    LowBeam "low_beam" "近光" "Low beam", Green, Cell(0, 2), Darkens: is(V::BodyLowBeam, 1);
+    /// Main beam.
+    HighBeam "high_beam" "远光" "High beam", Blue, Cell(0, 1), Darkens: is(V::BodyHighBeam, 1);
+    /// Front fog lamps.
+    FrontFog "front_fog" "前雾灯" "Front fog", Green, Cell(0, 3), Darkens: is(V::BodyFrontFog, 1);
+    /// Rear fog lamps.
+    RearFog "rear_fog" "后雾灯" "Rear fog", Yellow, Cell(0, 4), Darkens: is(V::BodyRearFog, 1);
+    /// Torque may be sent; a word of two cells.
+    Ready "ready" "READY" "READY", Green, Cell(0, 5), Darkens: is(V::VehicleReady, 1);
+    /// System fault, leakage included.
+    SystemFault "system_fault" "系统故障" "System fault", Red, Cell(1, 0), Keeps:
+        is(V::VehicleFault, 1), at_least(V::VehicleFaultLevel, 1).unless_sent(V::VehicleFault),
+        at_least(V::VehicleControllerLevel, 1);
+    /// Traction battery fault.
+    BatteryFault "battery_fault" "电池故障" "Battery fault", Red, Cell(1, 1), Keeps:
+        at_least(V::BatteryFaultLevel, 1), at_least(V::VehicleBatteryLevel, 1), is(V::BatteryFault, 1),
+        is(V::BatterySmoke, 1);
+    /// Motor or inverter fault.
+    MotorFault "motor_fault" "电机故障" "Motor fault", Red, Cell(1, 2), Keeps:
+        is(V::MotorFault, 1), at_least(V::MotorFaultLevel, 1);
+    /// Insulation fault.
+    Insulation "insulation" "绝缘故障" "Insulation", Red, Cell(1, 3), Keeps:
+        at_least(V::InsulationLevel, 1), is(V::InsulationFault, 1);
+    /// Drive power or torque is limited.
+    PowerLimited "power_limited" "功率受限" "Power limited", Yellow, Cell(0, 10), Darkens:
+        is(V::VehiclePowerLimited, 1), is(V::VehicleTorqueLimited, 1);
+    /// State of charge is low.
+    LowCharge "low_charge" "电量低" "Low charge", Yellow, Cell(0, 9), Darkens:
+        low(V::BatterySoc, SOC_LOW, SOC_LOW_CLEAR).unless_sent(V::BatteryLow), is(V::BatteryLow, 1);
+    /// Traction battery is cut off.
+    BatteryCut "battery_cut" "电池切断" "Battery cut off", Yellow, Cell(1, 4), Darkens: is(V::ContactorMain, OPEN);
+    /// Charge plug inserted.
+    ChargePlug "charge_plug" "充电枪" "Charge plug", Red, Cell(0, 8), Darkens: is(V::ChargePlug, 1);
+    /// Charging.
+    Charging "charging" "充电中" "Charging", Yellow, Cell(0, 7), Darkens: is(V::ChargeState, CHARGING);
+    /// Low-voltage supply (DC/DC converter) fault.
+    LowVoltage "low_voltage" "低压电源" "Low voltage", Red, Cell(1, 5), Keeps:
+        is(V::DcdcState, FAULT), is(V::DcdcFault, 1), is(V::SupplyLow, 1), is(V::VehicleSupplyLow, 1);
+    /// Steering assistance fault.
+    Steering "steering" "转向助力" "Steering", Red, Cell(1, 6), Keeps: is(V::SteeringState, FAULT);
+    /// Air compressor fault.
+    Compressor "compressor" "空压机" "Compressor", Yellow, Cell(1, 8), Keeps:
+        is(V::CompressorState, FAULT), is(V::CompressorFault, 1);
+    /// Parking brake on.
+    ParkingBrake "parking_brake" "驻车制动" "Parking brake", Red, Cell(1, 10), Darkens: is(V::BodyParkingBrake, 1);
+    /// A door is open.
+    Door "door" "车门" "Door", Red, Cell(1, 9), Darkens:
+        is(V::BodyDoorFront, 1), is(V::BodyDoorMiddle, 1), is(V::BodyDoorRear, 1), is(V::BodyDoorHatch, 1);
+    /// Air pressure low.
+    AirPressure "air_pressure" "气压低" "Air pressure", Red, Cell(1, 7), Keeps:
+        low(V::AirFront, AIR_LOW, AIR_LOW - 1), low(V::AirRear, AIR_LOW, AIR_LOW - 1);
+    /// A node has stopped sending.
+    NoCommunication "no_communication" "通信中断" "No communication", Red, Cell(1, 11), Darkens: when(When::AnySilent);
+    /// Anti-lock brake fault (C5-R012).
+    AntiLock "anti_lock" "ABS" "ABS", Yellow, With(Telltale::FrontFog), Keeps: is(V::BrakeAbsFault, 1);
+    /// Brake force distribution fault (C5-R012).
+    BrakeForce "brake_force" "EBD" "EBD", Yellow, With(Telltale::RearFog), Keeps: is(V::BrakeEbdFault, 1);
+}
+
+/// Which telltales are lit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Telltales(u32);
+
+impl Telltales {
+    /// Every telltale dark.
+    pub const NONE: Self = Self(0);
+    /// Every telltale lit: the check after start.
+    pub const ALL: Self = Self((1 << Telltale::ALL.len()) - 1);
+
+    /// Lights or darkens `telltale`.
+    pub fn set(&mut self, telltale: Telltale, lit: bool) {
+        let bit = 1 << telltale as u8;
+        if lit {
+            self.0 |= bit;
+        } else {
+            self.0 &= !bit;
+        }
+    }
+
+    /// Returns whether `telltale` is lit.
+    pub const fn is_lit(self, telltale: Telltale) -> bool {
+        self.0 >> telltale as u8 & 1 != 0
+    }
+
+    /// Returns the telltales as bits, bit n = `Telltale::ALL[n]`.
+    pub const fn bits(self) -> u32 {
+        self.0
+    }
+
+    /// Returns those that a panel shows now: of two that share a cell and are both lit, the one whose turn it is.
+    ///
+    /// `is_second_turn` changes every half second ([`View::heartbeat`](crate::View::heartbeat)).
+    pub fn in_turn(self, is_second_turn: bool) -> Self {
+        let mut shown = self;
+        for &guest in Telltale::ALL {
+            let With(host) = guest.place() else { continue };
+            if self.is_lit(guest) && self.is_lit(host) {
+                shown.set(if is_second_turn { host } else { guest }, false);
+            }
+        }
+        shown
+    }
+}
