@@ -5,27 +5,27 @@
 
 mod pages;
 
-use crate::charge;
 use crate::chime::{Chime, Player, Sound};
 use crate::decisions;
+use crate::driver::inputs::{self, Button, Controller, Inputs};
+use crate::driver::press::{Press, Push};
+use crate::driver::settings::Settings;
 use crate::facts::Facts;
 use crate::faults::Faults;
 use crate::history::Entry;
-use crate::inputs::{self, Button, Controller, Inputs};
-use crate::limp;
+use crate::monitors::limp;
+use crate::monitors::reverse::Reverse;
+use crate::monitors::{Options, Timers};
 use crate::navigator::{Pages, Situation};
-use crate::odometer::Odometer;
 use crate::own::Conditions;
-use crate::press::{Press, Push};
 use crate::reception::{Counters, MAX_MESSAGES, Nodes, Received, Reception};
-use crate::reverse::Reverse;
-use crate::settings::Settings;
 use crate::sources;
 use crate::start::{self, Start};
 use crate::telltales::{Lighting, Telltale, Telltales};
-use crate::timers::{Options, Timers};
 use crate::transmit::{MAX_SENT, Transmit};
-use crate::trip::{self, Trips};
+use crate::trips::charge;
+use crate::trips::odometer::Odometer;
+use crate::trips::{self, Trips};
 use crate::view::page::Trip;
 use crate::view::{ActiveFault, Charging, Limp, Text, View};
 use protocol_core::model::{Gear, Readings, Severity, Shown, Value};
@@ -160,13 +160,13 @@ impl Cluster {
         if let Some(km8) = distance {
             self.odometer.follow(km8);
         }
-        let is_charging = trip::is_charging(|value| self.shown(value, now));
+        let is_charging = trips::is_charging(|value| self.shown(value, now));
         self.trips.drive(speed, self.power(now).value(), is_charging, now);
     }
 
     /// Returns the power in 10 mW, positive = out of the battery.
     fn power(&self, now: Millis) -> Shown<i64> {
-        trip::power(self.shown(Value::BatteryVoltage, now), self.shown(Value::BatteryCurrent, now))
+        trips::power(self.shown(Value::BatteryVoltage, now), self.shown(Value::BatteryCurrent, now))
     }
 
     /// Files the cluster's own decisions as local values, for the messages that it sends.
@@ -319,7 +319,7 @@ impl Cluster {
             cell_celsius: (shown(Value::BatteryTemperatureMax), shown(Value::BatteryTemperatureMin)),
             odometer_hectometres: self.odometer.hectometres(),
             journeys: self.trips.journeys(),
-            consumption_whkm: trip::consumption_whkm(shown(Value::VehicleSpeed), power),
+            consumption_whkm: trips::consumption_whkm(shown(Value::VehicleSpeed), power),
             range: self.trips.range(shown, known),
             charging: self.charging(now),
             limp: self.limp(),
@@ -338,7 +338,7 @@ impl Cluster {
 
     /// Returns what there is to tell while a plug is inserted.
     fn charging(&self, now: Millis) -> Option<Charging> {
-        trip::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
+        trips::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
     }
 
     /// Returns the charge in 0.1 %.

@@ -2,7 +2,7 @@
 //!
 //! Functions of what is known now. Source: BUS-R129 with BUS-93, JL-R026, JL-R031 with JL-36.
 
-use crate::inputs::{Inputs, flag};
+use crate::driver::inputs::{Inputs, flag};
 use protocol_core::model::{Gear, Reading, Shown, Value};
 
 /// Versions that the cluster tells the vehicle, 0 to 255 (JL-R026).

@@ -1,9 +1,9 @@
 //! What the tables of faults and telltales may ask: what was received, what the timing machines conclude from it.
 
-use crate::hvac;
-use crate::limp::Link;
+use crate::monitors::Timers;
+use crate::monitors::hvac;
+use crate::monitors::limp::Link;
 use crate::reception::{Nodes, Reception};
-use crate::timers::Timers;
 use protocol_core::Millis;
 use protocol_core::model::{Readings, Shown, Value};
 use protocol_core::vehicle::{Node, Vehicle};

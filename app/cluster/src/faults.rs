@@ -20,9 +20,9 @@
 use crate::chime::Sound;
 use crate::facts::Facts;
 use crate::history::History;
+use crate::monitors::Timers;
 use crate::sources::{ROWS, Report, Row, code_of};
 use crate::texts;
-use crate::timers::Timers;
 use crate::view::{ActiveFault, Line};
 use heapless::Vec;
 use protocol_core::Millis;

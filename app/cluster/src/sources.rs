@@ -9,7 +9,7 @@
 use crate::facts::Facts;
 use crate::faults::Fault;
 use crate::history::{Entry, Source};
-use crate::hv_off::Phase;
+use crate::monitors::hv_off::Phase;
 use crate::texts;
 use crate::view::Text;
 use protocol_core::model::{Severity, Shown, Value};

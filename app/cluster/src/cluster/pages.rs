@@ -1,8 +1,8 @@
 //! What stands on the page that is shown: lists cut to their part, values of the technical one.
 
 use super::Cluster;
+use crate::driver::inputs::Controller;
 use crate::history::Entry;
-use crate::inputs::Controller;
 use crate::navigator::{Contents, Leaf, parts_of};
 use crate::view::page::{CELLS, Count, Page, Part, ROWS};
 use crate::view::{ActiveFault, List, Listed, Sheet};

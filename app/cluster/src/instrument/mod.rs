@@ -21,11 +21,11 @@ mod outbox;
 
 use crate::chime::Chime;
 use crate::cluster::Cluster;
-use crate::debounce::Debounce;
-use crate::inputs::{Contacts, Inputs};
+use crate::driver::debounce::Debounce;
+use crate::driver::inputs::{Contacts, Inputs};
+use crate::monitors::Options;
 use crate::own::{Conditions, Restart, Search};
 use crate::reception::Received;
-use crate::timers::Options;
 use crate::view::View;
 use bitrate::BitrateScan;
 use identification::Detector;

@@ -145,7 +145,7 @@ impl Part {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Count {
-    /// State of the controller, see [`Controller::state`](crate::inputs::Controller::state); 0 = it does not answer.
+    /// State of the controller, see [`Controller::state`](crate::driver::inputs::Controller::state); 0 = it does not answer.
     State,
     /// Transmit error counter.
     TransmitErrors,

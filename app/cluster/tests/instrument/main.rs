@@ -7,7 +7,7 @@ use cluster::own::Restart;
 use cluster::{Contacts, Controller, Inputs, Instrument, Options, Received, Telltale, texts};
 use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES, c5ev, citybus, jiulong};
 use protocol_core::states::Confinement;
-use protocol_core::vehicle::Vehicle;
+use protocol_core::vehicle::{Node, Vehicle};
 use protocol_core::{CanFrame, CanId, Millis, Shown, Value};
 
 const TICK: u64 = 10;
@@ -245,4 +245,26 @@ fn it_says_that_it_listens_and_then_whom_it_has_found() {
     run.hear(&citybus::VEHICLE, 3);
     run.tick();
     assert_eq!(run.line(), Some((citybus::VEHICLE.en, None)));
+}
+
+#[test]
+fn bus_r133_what_was_switched_on_stays_on_when_the_vehicle_is_found() {
+    for hvac_alarm in [false, true] {
+        let mut run = Run::of(Instrument::searching(SHIPPED_VEHICLES, Options { hvac_alarm }));
+        run.ticks(10);
+        run.hear(&citybus::VEHICLE, 3);
+        // Whichever bit it is that says that the air conditioning runs.
+        for message in citybus::VEHICLE.rx.iter().filter(|message| message.node == Node::Hvac) {
+            for bit in 0..64 {
+                if run.instrument.cluster().shown(Value::HvacOn, run.now) != Shown::Value(1) {
+                    let frame = CanFrame::full(message.id, (1_u64 << bit).to_le_bytes());
+                    run.instrument.hear(&frame, run.now);
+                }
+            }
+        }
+        assert_eq!(run.instrument.cluster().shown(Value::HvacOn, run.now), Shown::Value(1));
+        run.ticks(1_100);
+        let lost = |fault: cluster::view::ActiveFault| fault.text == texts::HVAC_LOST;
+        assert_eq!(run.instrument.cluster().active_faults(run.now).any(lost), hvac_alarm);
+    }
 }

@@ -1,11 +1,18 @@
-//! The timing machines: who is due when.
+//! The timing machines: who is due when, file by file.
 //!
-//! Owns one of each that has a memory and feeds them; each is a module of its own with its rules.
+//! Owns one of each that has a memory and feeds them; the rules are in the files.
 
-use crate::buzzer::Buzzer;
-use crate::charger::Charger;
-use crate::hv_off::HvOff;
+mod buzzer;
+mod charger;
+pub(crate) mod hv_off;
+pub(crate) mod hvac;
+pub(crate) mod limp;
+pub(crate) mod reverse;
+
 use crate::reception::Reception;
+use buzzer::Buzzer;
+use charger::Charger;
+use hv_off::HvOff;
 use protocol_core::Millis;
 use protocol_core::model::Value;
 use protocol_core::vehicle::{Node, Vehicle};

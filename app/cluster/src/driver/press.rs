@@ -3,7 +3,7 @@
 //! A push is told at once, for what must not wait; whether it was short or long shows later. A push that has been used
 //! is neither.
 
-use crate::debounce::Debounce;
+use super::debounce::Debounce;
 use protocol_core::Millis;
 
 /// How long a button is held down for a long push, in milliseconds.
