@@ -11,6 +11,7 @@
 //! | [`Cluster`]        | everything that follows from frames, inputs and time           |
 //! | `own`              | what the instrument says of itself                             |
 //! | `outbox`           | which frames wait, which go when the bus takes none            |
+//! | `rota`             | which faults are reported to a PC in one round                 |
 //!
 //! Until the vehicle is known the cluster is nobody's and the frames heard are kept; until it is certain nothing is
 //! sent. Refuses to know pins, controllers and clocks.
@@ -18,6 +19,7 @@
 pub mod bitrate;
 pub mod identification;
 mod outbox;
+pub mod rota;
 
 use crate::chime::Chime;
 use crate::cluster::Cluster;

@@ -2,6 +2,7 @@
 
 mod bitrate;
 mod identification;
+mod rota;
 
 use cluster::own::Restart;
 use cluster::{Contacts, Controller, Inputs, Instrument, Options, Received, Telltale, texts};
