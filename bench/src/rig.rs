@@ -9,7 +9,7 @@ use crate::chips::{mcp2515, panel};
 use crate::join::{self, Members};
 use crate::log::Log;
 use crate::recent::Recent;
-use crate::rp2040::{Rp2040, Stop, image};
+use crate::rp2040::{Rp2040, Stop, Watched, image};
 use crate::switches::SWITCHES;
 use crate::time::Nanos;
 use anyhow::Result;
@@ -291,6 +291,11 @@ impl Rig {
     /// The chip, for its statistics.
     pub fn chip(&self) -> &Rp2040<BenchBoard> {
         &self.chip
+    }
+
+    /// Watches the core from now on, and returns what was seen since the last call.
+    pub fn watch(&mut self) -> Option<Watched> {
+        self.chip.watch()
     }
 
     /// The board with everything on it.

@@ -4,7 +4,7 @@ use crate::out::say;
 use crate::steps::{Outcome, Steps};
 use crate::{
     codecs, codegen, coverage, dbc, figures, firmware, flash, layers, reference, rules, run, scenario,
-    screens, test, toolchain, workspace,
+    screens, tasks, test, toolchain, workspace,
 };
 use anyhow::{Context, Result, bail};
 use std::process::Command;
@@ -39,6 +39,7 @@ pub fn run() -> Result<()> {
     steps
         .run("scenarios on the host and on the firmware", || scenario::run(&scenario::Options::default()))?;
     steps.run("size", || firmware::size(&firmware::Options::default()))?;
+    steps.run("table of the firmware's tasks", || tasks::run(&tasks::Options { check: true }))?;
     steps.run("run --headless", || run::headless_for_ci(&crate::output_folder()?.join("drive.png")))?;
     steps.run("figures in the README", || figures::run(&figures::Options { check: true }))?;
     steps

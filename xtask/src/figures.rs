@@ -152,12 +152,7 @@ fn flood(elf: &Path, log: &Log, flood: Flood) -> Result<Load> {
             rig.replay(log, true);
         }
         Flood::Own => {
-            let frames = log.recording();
-            let length = frames.len().max(1) as u64;
-            let first = frames.first().context("the recording is empty")?.1;
-            let frame =
-                move |number: u64| frames.get((number % length) as usize).map_or(first, |(_, it)| *it);
-            rig.board_mut().join(LoadGenerator::new(node, frame));
+            rig.board_mut().join(LoadGenerator::of_recording(node, log.recording()));
         }
     }
     let (before, chip) = (rig.board().mcp2515().counters(), rig.chip().stats());

@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 /// Where flash begins in the RP2040's address space.
 const FLASH_START: u32 = 0x1000_0000;
 const RAM_START: u64 = 0x2000_0000;
-/// End of the four striped banks, from where the stack grows down.
-const STACK_TOP: u64 = 0x2004_0000;
+/// The vector table in the image, behind the second stage; its first word is where the stack begins.
+const VECTOR_TABLE: usize = 0x100;
 
 /// What to build.
 #[derive(Args, Clone, Debug, Default)]
@@ -166,13 +166,18 @@ pub fn size(options: &Options) -> Result<()> {
 
 /// What the board crate grants, in bytes.
 #[derive(Deserialize)]
-struct Budget {
+pub struct Budget {
     flash: u64,
     ram: u64,
-    stack: u64,
+    /// Room for the stack; `cargo xtask tasks` holds a quarter of it free.
+    pub stack: u64,
 }
 
-fn budget() -> Result<Budget> {
+/// Returns what the board crate grants.
+///
+/// # Errors
+/// If its manifest does not say.
+pub fn budget() -> Result<Budget> {
     let metadata =
         MetadataCommand::new().manifest_path(workspace::root().join("Cargo.toml")).no_deps().exec()?;
     let board = metadata.packages.iter().find(|package| package.name.as_str() == "pico");
@@ -193,6 +198,16 @@ pub fn footprint(elf: &Path) -> Result<(u64, u64)> {
     Ok((flash, ram))
 }
 
+/// Returns the address from which the image's stack grows down.
+///
+/// # Errors
+/// If the ELF is not an image for the RP2040.
+pub fn stack_top(elf: &Path) -> Result<u64> {
+    let image = bench::rp2040::image::load_elf(elf)?;
+    let word = image.get(VECTOR_TABLE..).and_then(<[u8]>::first_chunk).context("no vector table")?;
+    Ok(u32::from_le_bytes(*word).into())
+}
+
 struct Section {
     name: String,
     address: u64,
@@ -205,7 +220,7 @@ fn sections(elf: &Path) -> Result<Vec<Section>> {
     let bytes = std::fs::read(elf)?;
     let file = object::File::parse(&*bytes)?;
     let is_loaded = |flags| match flags {
-        SectionFlags::Elf { sh_flags } => sh_flags & u64::from(object::elf::SHF_ALLOC) != 0,
+        SectionFlags::Elf { sh_flags, .. } => sh_flags.contains(object::elf::SHF_ALLOC),
         _ => false,
     };
     let loaded = file.sections().filter(|section| is_loaded(section.flags()) && section.size() > 0);
@@ -227,7 +242,7 @@ fn report(elf: &Path, list: bool) -> Result<()> {
         }
     }
     let (flash, ram) = footprint(elf)?;
-    let stack = STACK_TOP.saturating_sub(RAM_START + ram);
+    let stack = stack_top(elf)?.saturating_sub(RAM_START + ram);
     say!("flash    {flash:>7} B of {} B", budget.flash)?;
     say!("RAM      {ram:>7} B of {} B", budget.ram)?;
     say!("stack    {stack:>7} B are left, {} B are asked for", budget.stack)?;

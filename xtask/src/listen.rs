@@ -4,7 +4,7 @@
 //! comes late; printed is each of them once, and again when something about it has changed.
 
 use crate::out::{self, note};
-use crate::replay::word;
+use crate::words::{page, word};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use cluster::Source;
@@ -236,22 +236,6 @@ fn write_trips(trips: &Trips, out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(out)
 }
 
-/// Returns what a page's number stands for.
-pub fn page(number: u8) -> String {
-    match number {
-        0 => "main".into(),
-        1 => "trip A".into(),
-        2 => "trip B".into(),
-        3 => "energy".into(),
-        4 => "faults".into(),
-        5 => "history".into(),
-        _ => {
-            let part = usize::from(number - 6);
-            cluster::page::Part::ALL.get(part).map_or(number.to_string(), word)
-        }
-    }
-}
-
 fn write_health(health: &Health, out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(
         out,
@@ -410,6 +394,5 @@ mod tests {
              B 0.0 km, -- Wh/km, used 0 Wh, regained 0 Wh",
         ];
         assert_eq!(printed(&[Record::Shown(screen), Record::Trips(trips)]), expected);
-        assert_eq!(page(200), "200", "of a newer firmware");
     }
 }

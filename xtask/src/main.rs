@@ -35,11 +35,14 @@ mod run;
 mod scenario;
 mod screens;
 mod steps;
+mod tasks;
 mod test;
+mod tokens;
 mod toolchain;
 mod uf2;
 mod vehicle;
 mod vehicles;
+mod words;
 mod workspace;
 
 use anyhow::Result;
@@ -97,6 +100,8 @@ enum Command {
     Listen(listen::Options),
     /// Checks that the crates' dependency arrows point down only.
     Layers,
+    /// Writes the table of the firmware's tasks from their attributes and from what the bench measures of each.
+    Tasks(tasks::Options),
     /// Measures the firmware on the bench and prints the figures that the README quotes.
     Figures(figures::Options),
     /// Shows what this machine has, what is missing and what to type.
@@ -147,6 +152,7 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Size(options) => firmware::size(&options),
         Command::Listen(options) => listen::run(&options),
         Command::Layers => layers::run(),
+        Command::Tasks(options) => tasks::run(&options),
         Command::Figures(options) => figures::run(&options),
         Command::Doctor => doctor::run(),
         Command::Ci => ci::run(),

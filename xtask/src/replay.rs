@@ -8,6 +8,7 @@
 use crate::out;
 use crate::recording::Choices;
 use crate::vehicles::{Tables, can_frame, short_seconds};
+use crate::words::{self, word};
 use anyhow::{Result, bail};
 use bench::log::Log;
 use bench::time::Nanos;
@@ -176,7 +177,7 @@ impl Screen {
         let View { page, hv_off_s, limp, range, .. } = view;
         if self.page != page.number() {
             self.page = page.number();
-            let name = crate::listen::page(self.page);
+            let name = words::page(self.page);
             print("page", &name, json!({ "page": self.page, "shown": name }))?;
         }
         if self.hv_off_s != hv_off_s {
@@ -247,18 +248,6 @@ fn text_of(value: Value, shown: Shown<i32>) -> String {
 
 fn state_of(shown: Shown<i32>) -> &'static str {
     shown.missing().map_or("value", Missing::word)
-}
-
-/// Returns the name of a variant as words: `LowCharge` -> `low charge`.
-pub fn word(variant: impl std::fmt::Debug) -> String {
-    let mut words = String::new();
-    for letter in format!("{variant:?}").chars() {
-        if letter.is_ascii_uppercase() && !words.is_empty() {
-            words.push(' ');
-        }
-        words.push(letter.to_ascii_lowercase());
-    }
-    words
 }
 
 fn lit(lamps: Telltales) -> Vec<&'static str> {
@@ -353,11 +342,6 @@ impl Tally {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn variants_read_as_words() {
-        assert_eq!(word(Sound::Stop), "stop");
-    }
 
     #[test]
     fn own_inputs_are_not_the_buses_news() {

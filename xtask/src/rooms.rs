@@ -5,6 +5,7 @@
 //! defined. A module and what lies inside it may name each other: they are one room seen from outside. What is compiled
 //! for tests or documentation only is left out. Refuses to know types and macros: it reads tokens.
 
+use crate::tokens::{is_mark, is_word};
 use anyhow::{Context, Result};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
@@ -271,14 +272,6 @@ fn is_visibility(tokens: &[TokenTree], place: usize) -> bool {
     place >= 2
         && is_word(tokens.get(place - 2), "pub")
         && matches!(tokens.get(place - 1), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis)
-}
-
-fn is_word(token: Option<&TokenTree>, word: &str) -> bool {
-    matches!(token, Some(TokenTree::Ident(ident)) if ident == word)
-}
-
-fn is_mark(token: Option<&TokenTree>, mark: char) -> bool {
-    matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == mark)
 }
 
 #[cfg(test)]

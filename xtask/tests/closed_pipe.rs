@@ -43,6 +43,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("run", "needs the firmware"),
     ("screens", "what it prints is of `cargo test`"),
     ("size", "builds the firmware"),
+    ("tasks", "builds the firmware and drives it for a minute"),
 ];
 
 fn command(name: &str, arguments: &[&str]) -> Command {

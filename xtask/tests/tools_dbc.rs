@@ -106,5 +106,5 @@ fn a_file_that_is_not_there_or_not_utf8_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("gb.dbc");
     std::fs::write(&path, b"VERSION \"\xb4\xbf\xb5\xe7\"\n").unwrap();
-    assert!(said(path.to_str().unwrap()).contains("gb.dbc: is not UTF-8 text"));
+    assert!(said(path.to_str().unwrap()).contains("gb.dbc:1: byte 0xB4 is not UTF-8 text"));
 }

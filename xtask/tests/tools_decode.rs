@@ -158,7 +158,7 @@ fn text_stands_in_columns() {
     assert!(
         lines[1..].iter().all(|line| line[column..].ends_with("km/h") && !line[column..].starts_with(' '))
     );
-    assert!(said.contains("vehicle  bus: "), "{said}");
+    assert!(said.contains("vehicle  citybus: "), "{said}");
 }
 
 #[test]
@@ -169,15 +169,15 @@ fn signals_are_picked_by_glob_and_a_misspelt_one_gets_the_nearest() {
     assert_eq!(names.into_iter().collect::<Vec<_>>(), ["gear", "soc"]);
     let said = complaint(&[CITY, "--signals", "vehicle_sped"]);
     assert!(
-        said.contains("no signal of `bus` matches `vehicle_sped`; did you mean `vehicle_speed`?"),
+        said.contains("no signal of `citybus` matches `vehicle_sped`; did you mean `vehicle_speed`?"),
         "{said}"
     );
 }
 
 #[test]
 fn a_misspelt_vehicle_gets_the_nearest() {
-    let said = complaint(&[CITY, "--vehicle", "bsu"]);
-    assert!(said.contains("no vehicle is called `bsu`; did you mean `bus`?"), "{said}");
+    let said = complaint(&[CITY, "--vehicle", "citybsu"]);
+    assert!(said.contains("no vehicle is called `citybsu`; did you mean `citybus`?"), "{said}");
 }
 
 #[test]

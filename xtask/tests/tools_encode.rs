@@ -147,7 +147,7 @@ fn the_multiplexer_follows_its_signals() {
 #[test]
 fn a_name_that_two_vehicles_have_is_decided_by_the_signals_or_asked_for() {
     let said = complaint(&["VCU1"]);
-    assert!(said.contains("`VCU1` is a message of bus and jiulong; say which with --vehicle"), "{said}");
+    assert!(said.contains("`VCU1` is a message of citybus and jiulong; say which with --vehicle"), "{said}");
     assert!(encoded(&["VCU1", "vehicle_speed=0"]).starts_with("0CF101A7#"));
 }
 

@@ -73,7 +73,7 @@ fn text_says_the_same_as_json() {
         assert_eq!(words.next(), row["name"].as_str());
         assert!(row.get("shown").is_none_or(|shown| line.ends_with(shown.as_str().unwrap())), "{line} {row}");
     }
-    assert!(summary.starts_with("vehicle  bus\nframes   6620 in 59.979 s: "), "{summary}");
+    assert!(summary.starts_with("vehicle  citybus\nframes   6620 in 59.979 s: "), "{summary}");
 }
 
 #[test]

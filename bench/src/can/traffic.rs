@@ -50,6 +50,16 @@ impl LoadGenerator {
         Self::new(node, move |sequence| Frame { id, remote: false, dlc: 8, data: sequence.to_le_bytes() })
     }
 
+    /// A generator of the frames of a recording, again and again, without its pauses.
+    ///
+    /// # Panics
+    /// If the recording is empty.
+    pub fn of_recording(node: NodeId, recording: Vec<(Nanos, Frame)>) -> Self {
+        assert!(!recording.is_empty(), "a recording without a frame");
+        let length = recording.len() as u64;
+        Self::new(node, move |number| recording[(number % length) as usize].1)
+    }
+
     /// Stops after `count` frames.
     pub fn limited_to(self, count: u64) -> Self {
         Self { limit: Some(count), ..self }

@@ -31,6 +31,7 @@ mod system;
 mod timer;
 mod transfers;
 mod uart;
+mod watch;
 mod watchdog;
 pub mod xip;
 
@@ -41,6 +42,8 @@ use self::chip::{Chip, NEVER, RAM_BASE, RAM_BYTES, Source};
 use self::cpu::Cpu;
 use self::rom::Service;
 pub use self::services::{BLOCK_ERASE, PAGE_PROGRAM, SECTOR_ERASE};
+use self::watch::Watch;
+pub use self::watch::{Handler, Watched};
 use self::watchdog::{REASON_FORCE, REASON_TIMER};
 use self::xip::FLASH_BYTES;
 use crate::pins::{Board, InputPins};
@@ -179,6 +182,7 @@ pub struct Rp2040<B: Board> {
     /// Frames per SPI port that still have to be served one by one, because one has changed the board.
     wary: [u32; 2],
     stats: Stats,
+    watch: Option<Box<Watch>>,
 }
 
 impl<B: Board> Rp2040<B> {
@@ -198,6 +202,7 @@ impl<B: Board> Rp2040<B> {
             lines: 0,
             wary: [0; 2],
             stats: Stats::default(),
+            watch: None,
         };
         machine.stats.resets.push((Nanos::ZERO, ResetCause::PowerOn));
         machine.board.advance(Nanos::ZERO, &mut machine.inputs);
@@ -253,6 +258,14 @@ impl<B: Board> Rp2040<B> {
             xip_misses: self.chip.xip.misses,
             ..self.stats.clone()
         }
+    }
+
+    /// Watches the core from now on, and returns what was seen since the last call. Instructions take a little longer
+    /// to emulate, not longer in virtual time.
+    pub fn watch(&mut self) -> Option<Watched> {
+        let seen = self.watch.take().map(|watch| watch.into_seen());
+        self.watch = self.cpu.as_deref().map(|cpu| Box::new(Watch::new(cpu)));
+        seen
     }
 
     /// The flash as it is now.
@@ -376,13 +389,26 @@ impl<B: Board> Rp2040<B> {
             }
             self.chip.limit = target;
             self.chip.horizon = target;
-            self.run_instructions(cpu)?;
+            match self.watch.take() {
+                None => self.run_instructions(cpu, |_, _, _| {})?,
+                Some(mut watch) => {
+                    let outcome = self.run_instructions(cpu, |chip, cpu, from| {
+                        watch.look(cpu, || (chip.time.nanos(from), chip.nanos()));
+                    });
+                    self.watch = Some(watch);
+                    outcome?;
+                }
+            }
         }
     }
 
-    /// Runs instructions until `chip.limit`, sleep or a stop.
+    /// Runs instructions until `chip.limit`, sleep or a stop; `look` is called behind each with the cycle of its start.
     #[inline]
-    fn run_instructions(&mut self, cpu: &mut Cpu) -> Result<(), Stop> {
+    fn run_instructions(
+        &mut self,
+        cpu: &mut Cpu,
+        mut look: impl FnMut(&Chip, &Cpu, u64),
+    ) -> Result<(), Stop> {
         let mut instructions = 0;
         let mut outcome = Ok(());
         while self.chip.now < self.chip.limit {
@@ -391,9 +417,11 @@ impl<B: Board> Rp2040<B> {
                     let cycles = i64::from(cycles) + i64::from(self.chip.extra);
                     self.chip.extra = 0;
                     let cycles = cycles.max(0).cast_unsigned();
+                    let from = self.chip.now;
                     self.chip.now += cycles;
                     instructions += 1;
                     cpu.advance_systick(cycles);
+                    look(&self.chip, cpu, from);
                 }
                 Err(stop) => {
                     let fault = cpu.take_fault();
@@ -638,6 +666,9 @@ impl<B: Board> Rp2040<B> {
             self.chip.stop_for("the boot ROM's vector table cannot be read");
         }
         self.chip.extra = 0;
+        if let Some(watch) = &mut self.watch {
+            watch.restart(cpu);
+        }
     }
 
     fn reset(&mut self, cpu: &mut Cpu, cause: ResetCause) {

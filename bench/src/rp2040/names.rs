@@ -2,6 +2,42 @@
 //!
 //! Owns no behaviour. Source: RP2040 datasheet, the register list of each chapter.
 
+/// The external interrupts by number (datasheet 2.3.2); 26 to 31 are wired to nothing, software may pend them.
+pub(super) const IRQS: [&str; 32] = [
+    "TIMER_IRQ_0",
+    "TIMER_IRQ_1",
+    "TIMER_IRQ_2",
+    "TIMER_IRQ_3",
+    "PWM_IRQ_WRAP",
+    "USBCTRL_IRQ",
+    "XIP_IRQ",
+    "PIO0_IRQ_0",
+    "PIO0_IRQ_1",
+    "PIO1_IRQ_0",
+    "PIO1_IRQ_1",
+    "DMA_IRQ_0",
+    "DMA_IRQ_1",
+    "IO_IRQ_BANK0",
+    "IO_IRQ_QSPI",
+    "SIO_IRQ_PROC0",
+    "SIO_IRQ_PROC1",
+    "CLOCKS_IRQ",
+    "SPI0_IRQ",
+    "SPI1_IRQ",
+    "UART0_IRQ",
+    "UART1_IRQ",
+    "ADC_IRQ_FIFO",
+    "I2C0_IRQ",
+    "I2C1_IRQ",
+    "RTC_IRQ",
+    "SW0_IRQ",
+    "SW1_IRQ",
+    "SW2_IRQ",
+    "SW3_IRQ",
+    "SW4_IRQ",
+    "SW5_IRQ",
+];
+
 /// The peripheral at `address`, or a description of the region.
 pub(super) fn peripheral(address: u32) -> &'static str {
     const APB: [&str; 28] = [

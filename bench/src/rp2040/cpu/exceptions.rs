@@ -26,6 +26,8 @@ pub(super) struct Exceptions {
     pending: u64,
     enabled: u64,
     active: u64,
+    /// Handlers started since reset, wrapping.
+    started: u32,
     priority: [i8; EXCEPTIONS],
     /// Priority of what runs now, PRIMASK not counted.
     running: i8,
@@ -43,6 +45,7 @@ impl Exceptions {
             pending: u64::from(lines) << EXTERNAL,
             enabled: ALWAYS_ENABLED,
             active: 0,
+            started: 0,
             priority,
             running: THREAD_PRIORITY,
             lines,
@@ -115,6 +118,7 @@ impl Exceptions {
     pub(super) fn activate(&mut self, number: u32) {
         self.pending &= !(1 << number);
         self.active |= 1 << number;
+        self.started = self.started.wrapping_add(1);
         self.update_running();
     }
 
@@ -128,6 +132,14 @@ impl Exceptions {
     /// How many handlers are nested.
     pub(super) const fn nesting(&self) -> u32 {
         self.active.count_ones()
+    }
+
+    pub(super) const fn active(&self) -> u64 {
+        self.active
+    }
+
+    pub(super) const fn started(&self) -> u32 {
+        self.started
     }
 
     pub(super) const fn is_active(&self, number: u32) -> bool {

@@ -19,7 +19,7 @@ mod systick;
 
 use std::fmt;
 
-use self::exceptions::{Exceptions, HARD_FAULT, SYS_TICK};
+use self::exceptions::{EXTERNAL, Exceptions, HARD_FAULT, SYS_TICK};
 use self::flags::Flags;
 use self::private_bus::{PRIVATE_BASE, SCR_SEVONPEND, SCR_SLEEPONEXIT, SystemControl};
 use self::systick::SysTick;
@@ -324,6 +324,24 @@ impl Cpu {
     /// Number of the exception that runs now, 0 in thread mode.
     pub fn active_exception(&self) -> u32 {
         self.ipsr
+    }
+
+    /// The exceptions whose handlers run or were preempted, bit n = number n.
+    #[inline]
+    pub fn active_exceptions(&self) -> u64 {
+        self.exceptions.active()
+    }
+
+    /// Handlers started since the last reset, wrapping: a tail chain from an exception to itself leaves
+    /// [`Self::active_exceptions`] as it was.
+    #[inline]
+    pub fn handlers_started(&self) -> u32 {
+        self.exceptions.started()
+    }
+
+    /// Priority of an external interrupt, 0 to 3, the smaller the more urgent.
+    pub fn irq_priority(&self, irq: u32) -> u32 {
+        self.exceptions.priority_byte(EXTERNAL + irq) >> 6
     }
 
     /// The last HardFault since the last call, for reports.
