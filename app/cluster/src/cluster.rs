@@ -64,12 +64,21 @@ impl Cluster {
     ///
     /// If the vehicle's tables are longer than [`MAX_MESSAGES`] or [`MAX_SENT`]; in a `static`, while compiling.
     pub const fn new(vehicle: &'static Vehicle) -> Self {
+        Self::with_options(vehicle, Options { hvac_alarm: false })
+    }
+
+    /// Returns a cluster that has seen nothing yet, with what whoever builds it may switch.
+    ///
+    /// # Panics
+    ///
+    /// As [`Self::new`].
+    pub const fn with_options(vehicle: &'static Vehicle, options: Options) -> Self {
         assert!(vehicle.rx.len() <= MAX_MESSAGES, "too many received messages: raise MAX_MESSAGES");
         assert!(vehicle.tx.len() <= MAX_SENT, "too many sent messages: raise MAX_SENT");
         Self {
             vehicle,
             reception: Reception::new(),
-            timers: Timers::new(),
+            timers: Timers::new(options),
             faults: Faults::new(),
             lighting: Lighting::new(),
             reverse: Reverse::new(),
@@ -92,12 +101,6 @@ impl Cluster {
     /// For whatever keeps the odometer over power-off; this firmware keeps nothing yet.
     pub fn restore(&mut self, odometer_km8: u32) {
         self.odometer.restore(odometer_km8);
-    }
-
-    /// Returns the cluster with what whoever builds it may switch.
-    pub const fn with(mut self, options: Options) -> Self {
-        self.timers.options = options;
-        self
     }
 
     /// Takes what the instrument knows of itself: shown from now on.
@@ -252,7 +255,7 @@ impl Cluster {
     pub fn recognise(&mut self, vehicle: &'static Vehicle) {
         self.vehicle = vehicle;
         self.reception = Reception::new();
-        self.timers = Timers { options: self.timers.options, ..Timers::new() };
+        self.timers = Timers::new(self.timers.options);
         self.faults = Faults::new();
         self.lighting = Lighting::new();
         self.reverse = Reverse::new();

@@ -112,7 +112,8 @@ mod app {
         Mono::start(board.timer, &board.resets, Priority::rtic_default());
         pico::start_watchdog(&mut board.watchdog);
 
-        let instrument = config::instrument().after(telemetry::restart(&board.boot));
+        let mut instrument = config::instrument();
+        instrument.restarted(telemetry::restart(&board.boot));
         let can = CanNode::new(board.can_spi, board.can_int, instrument.access());
         let (frames_in, frames_out) = cx.local.queue.split();
         let (views_in, views_out) = make_signal!(View);

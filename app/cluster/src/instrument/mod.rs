@@ -76,7 +76,7 @@ impl Instrument {
         let scan = BitrateScan::new(vehicles);
         let access = Access { bitrate: scan.bitrate(), may_send: false };
         let identification = Identification { detector: Detector::new(vehicles), scan, heard: false };
-        Self::of(Cluster::new(&NO_VEHICLE).with(options), Some(identification), access)
+        Self::of(&NO_VEHICLE, options, Some(identification), access)
     }
 
     /// Returns an instrument for one vehicle: it takes part in the bus from the start.
@@ -86,17 +86,22 @@ impl Instrument {
     /// As [`Cluster::new`].
     pub const fn fixed(vehicle: &'static Vehicle, options: Options) -> Self {
         let access = Access { bitrate: vehicle.bitrate, may_send: true };
-        Self::of(Cluster::new(vehicle).with(options), None, access)
+        Self::of(vehicle, options, None, access)
     }
 
-    const fn of(cluster: Cluster, identification: Option<Identification>, access: Access) -> Self {
+    const fn of(
+        vehicle: &'static Vehicle,
+        options: Options,
+        identification: Option<Identification>,
+        access: Access,
+    ) -> Self {
+        let cluster = Cluster::with_options(vehicle, options);
         Self { cluster, identification, restart: None, contacts: None, outbox: Outbox::new(), access }
     }
 
-    /// Returns the instrument after a run that a fault of its own has ended: it says so for a while.
-    pub const fn after(mut self, restart: Option<Restart>) -> Self {
+    /// Takes why the instrument has started, if it was a fault of its own: it says so for a while.
+    pub const fn restarted(&mut self, restart: Option<Restart>) {
         self.restart = restart;
-        self
     }
 
     /// Takes a frame that was received at `at`; `None` = it is kept until the vehicle is known.

@@ -34,8 +34,7 @@ pub(crate) struct Timers {
 }
 
 impl Timers {
-    pub(crate) const fn new() -> Self {
-        let options = Options { hvac_alarm: false };
+    pub(crate) const fn new(options: Options) -> Self {
         Self { options, hv_off: HvOff::new(), charger: Charger::new(), buzzer: Buzzer::new() }
     }
 

@@ -230,8 +230,8 @@ fn it_says_that_its_controller_does_not_answer() {
 
 #[test]
 fn it_says_for_ten_seconds_why_it_started() {
-    let instrument = Instrument::fixed(&citybus::VEHICLE, Options::default());
-    let mut run = Run::of(instrument.after(Some(Restart::Panic(Some(42)))));
+    let mut run = Run::fixed();
+    run.instrument.restarted(Some(Restart::Panic(Some(42))));
     run.ticks(998);
     assert_eq!(run.line(), Some((texts::RESTARTED.en, Some(42))));
     run.ticks(3);
