@@ -1,6 +1,6 @@
 //! What is chosen when the image is built.
 
-use cluster::{Instrument, Options};
+use cluster::{Access, Instrument, Options};
 use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES};
 use protocol_core::vehicle::Vehicle;
 
@@ -22,6 +22,12 @@ pub const fn instrument() -> Instrument {
         None => Instrument::searching(SHIPPED_VEHICLES, OPTIONS),
     }
 }
+
+/// How the controller starts.
+pub const FIRST_ACCESS: Access = match FIXED {
+    Some(vehicle) => Access::fixed(vehicle),
+    None => Access::searching(SHIPPED_VEHICLES),
+};
 
 const fn named(name: &str) -> &'static Vehicle {
     let mut index = 0;

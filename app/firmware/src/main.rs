@@ -5,25 +5,25 @@
 //! |---------------|---------------|----------|----------|----------|--------------------|--------------------|
 //! | `init`        | power-on      |          | < 17 ms  |          | memory, queue,     |                    |
 //! |               |               |          |          |          | tile_a, tile_b     |                    |
-//! | `can_service` | IO_IRQ_BANK0  | 4        | -        | < 77 us  | frames_in          | can                |
+//! | `can_service` | IO_IRQ_BANK0  | 4        | -        | < 76 us  | frames_in          | can                |
 //! | `panel_done`  | DMA_IRQ_0     | 3        | < 16 us  | < 28 us  | tile_done_in       |                    |
-//! | `link_done`   | DMA_IRQ_1     | 3        | < 12 us  | < 16 us  |                    | link               |
-//! | `tick`        | every 10 ms   | 2        | < 2 ms   | < 2.9 ms | frames_out,        | can, instrument    |
-//! |               |               |          |          |          | views_in, wires,   |                    |
+//! | `link_done`   | DMA_IRQ_1     | 3        | < 16 us  | < 16 us  |                    | link               |
+//! | `tick`        | every 10 ms   | 2        | < 2 ms   | < 2.8 ms | frames_out,        | can, instrument,   |
+//! |               |               |          |          |          | views_in, wires,   | &boot              |
 //! |               |               |          |          |          | buzzer, led, watch |                    |
-//! | `draw`        | views_out,    | 1        | < 2 ms   | < 9.8 ms | panel, tiles,      | shown, &boot       |
+//! | `draw`        | views_out,    | 1        | < 2 ms   | < 8.4 ms | panel, tiles,      | shown, &boot       |
 //! |               | tile_done_out |          |          |          | backlight,         |                    |
 //! |               |               |          |          |          | views_out,         |                    |
 //! |               |               |          |          |          | tile_done_out      |                    |
-//! | `report`      | every 200 ms  | 1        | < 2 ms   | < 9.8 ms |                    | can, instrument,   |
+//! | `report`      | every 200 ms  | 1        | < 2 ms   | < 8.4 ms |                    | can, instrument,   |
 //! |               |               |          |          |          |                    | shown, link, &boot |
-//! | (no task)     | TIMER_IRQ_0   | 3        | < 29 us  | < 35 us  |                    |                    |
+//! | (no task)     | TIMER_IRQ_0   | 3        | < 28 us  | < 35 us  |                    |                    |
 //! | `idle`        | nothing else  | 0        |          |          |                    |                    |
 //!
 //! Longest times on the bench, rustc 1.95.0: power-on, the 60 s city drive while pages turn, its frames back to back
 //! for 5 s, the bus shorted for 1 s. At start: in the first 500 ms; `init` from power-on. Times are to a task's end
 //! or its next `await`, without what interrupts it. `draw` and `report` run in one interrupt, whose times they have.
-//! Interrupts masked: < 110 us; stack: < 16000 bytes.
+//! Interrupts masked: < 120 us; stack: < 16000 bytes.
 //! <!-- /tasks -->
 //!
 //! Reception outranks everything and is never masked for longer than one lock of `can`: a frame of 47 bits at
@@ -67,7 +67,6 @@ mod app {
     use crate::config;
     use crate::queue::{FrameQueue, FrameReader, FrameWriter};
     use crate::tasks::{Tile, Watch, draw, idle, link_done, panel_done, report, tick};
-    use crate::telemetry;
     use crate::wires::Wires;
 
     rp2040_timer_monotonic!(Mono);
@@ -112,9 +111,7 @@ mod app {
         Mono::start(board.timer, &board.resets, Priority::rtic_default());
         pico::start_watchdog(&mut board.watchdog);
 
-        let mut instrument = config::instrument();
-        instrument.restarted(telemetry::restart(&board.boot));
-        let can = CanNode::new(board.can_spi, board.can_int, instrument.access());
+        let can = CanNode::new(board.can_spi, board.can_int, config::FIRST_ACCESS);
         let (frames_in, frames_out) = cx.local.queue.split();
         let (views_in, views_out) = make_signal!(View);
         let (tile_done_in, tile_done_out) = make_signal!(());
@@ -122,7 +119,14 @@ mod app {
         // Each is spawned once and never ends: there is always room.
         let _ = (tick::spawn(), draw::spawn(), report::spawn());
         (
-            Shared { can, instrument, shown: View::default(), link: board.link, boot: board.boot },
+            // Built where it stays: the stack has no room for a copy.
+            Shared {
+                can,
+                instrument: config::instrument(),
+                shown: View::default(),
+                link: board.link,
+                boot: board.boot,
+            },
             Local {
                 frames_in,
                 frames_out,
@@ -162,7 +166,7 @@ mod app {
         #[task(
             priority = 2,
             local = [frames_out, views_in, wires, buzzer, led, watch],
-            shared = [can, instrument],
+            shared = [can, instrument, &boot],
         )]
         async fn tick(cx: tick::Context);
 

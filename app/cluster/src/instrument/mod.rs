@@ -44,6 +44,18 @@ pub struct Access {
     pub may_send: bool,
 }
 
+impl Access {
+    /// Returns how to start where one of these vehicles is searched for.
+    pub const fn searching(vehicles: &'static [&'static Vehicle]) -> Self {
+        Self { bitrate: BitrateScan::new(vehicles).bitrate(), may_send: false }
+    }
+
+    /// Returns how to take part in the bus of this vehicle.
+    pub const fn fixed(vehicle: &Vehicle) -> Self {
+        Self { bitrate: vehicle.bitrate, may_send: true }
+    }
+}
+
 /// The search for the vehicle.
 #[derive(Clone)]
 struct Identification {
@@ -74,7 +86,7 @@ impl Instrument {
     /// As [`Cluster::new`], but for vehicles of which the tables are longer.
     pub const fn searching(vehicles: &'static [&'static Vehicle], options: Options) -> Self {
         let scan = BitrateScan::new(vehicles);
-        let access = Access { bitrate: scan.bitrate(), may_send: false };
+        let access = Access::searching(vehicles);
         let identification = Identification { detector: Detector::new(vehicles), scan, heard: false };
         Self::of(&NO_VEHICLE, options, Some(identification), access)
     }
@@ -85,7 +97,7 @@ impl Instrument {
     ///
     /// As [`Cluster::new`].
     pub const fn fixed(vehicle: &'static Vehicle, options: Options) -> Self {
-        let access = Access { bitrate: vehicle.bitrate, may_send: true };
+        let access = Access::fixed(vehicle);
         Self::of(vehicle, options, None, access)
     }
 

@@ -53,6 +53,7 @@ impl Watch {
 pub async fn tick(cx: Context<'_>) {
     let local = cx.local;
     let (mut can, mut instrument) = (cx.shared.can, cx.shared.instrument);
+    instrument.lock(|instrument| instrument.restarted(telemetry::restart(cx.shared.boot)));
     let mut next = Mono::now();
     let mut ticks: u32 = 0;
     // The view that went out last.
