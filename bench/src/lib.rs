@@ -17,4 +17,5 @@ pub mod recent;
 pub mod rig;
 pub mod rp2040;
 pub mod scenario;
+pub mod switches;
 pub mod time;

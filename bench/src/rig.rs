@@ -10,6 +10,7 @@ use crate::join::{self, Members};
 use crate::log::Log;
 use crate::recent::Recent;
 use crate::rp2040::{Rp2040, Stop, Watched, image};
+use crate::switches::SWITCHES;
 use crate::time::Nanos;
 use anyhow::Result;
 use protocol_core::Value;
@@ -469,26 +470,6 @@ impl Rig {
 /// The cluster's buttons: next, menu.
 const BUTTONS: [u8; 2] = [2, 3];
 
-/// A switch of the vehicle, to ground.
-struct Switch {
-    pin: u8,
-    is_closed: fn(&World) -> bool,
-}
-
-const fn switch(pin: u8, is_closed: fn(&World) -> bool) -> Switch {
-    Switch { pin, is_closed }
-}
-
-const SWITCHES: [Switch; 7] = [
-    switch(4, |world| world.body.front_door),
-    switch(5, |world| world.body.rear_door),
-    switch(6, |world| world.driver.seat_empty),
-    switch(7, |world| world.driver.parking_brake),
-    switch(14, |world| world.body.smoke),
-    switch(21, |world| world.body.turn_left),
-    switch(22, |world| world.body.turn_right),
-];
-
 /// Millivolts on GPIO 26 to 28: supply, front and rear air reservoir.
 const ANALOG: [fn(&World) -> u32; 3] = [
     |world| at_pin(world.supply.volts / SUPPLY_DIVIDER),
@@ -519,7 +500,7 @@ fn pico_wiring() -> Wiring {
         can: CanWiring { spi: 0, cs: 17, int: 20 },
         panel: PanelWiring { spi: 1, cs: 9, dc: 8, reset: Some(12), backlight: Some(13) },
         buzzer: Some(15),
-        buttons: BUTTONS.into_iter().chain(SWITCHES.map(|switch| switch.pin)).collect(),
+        buttons: BUTTONS.into_iter().chain(SWITCHES.iter().map(|switch| switch.pin)).collect(),
         uart: 0,
     }
 }

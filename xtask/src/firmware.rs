@@ -33,6 +33,9 @@ pub struct Options {
     /// Builds a cluster that only listens: it sends no frame and acknowledges none.
     #[arg(long)]
     pub listen_only: bool,
+    /// Builds a cluster that says when a running air conditioning has lost its link (BUS-R133).
+    #[arg(long)]
+    pub hvac_alarm: bool,
 }
 
 impl Options {
@@ -48,6 +51,9 @@ impl Options {
         }
         if self.listen_only {
             name.push_str("-listen-only");
+        }
+        if self.hvac_alarm {
+            name.push_str("-hvac-alarm");
         }
         name
     }
@@ -107,6 +113,9 @@ pub fn build(options: &Options) -> Result<Image> {
     }
     if options.listen_only {
         command.args(["--features", "listen-only"]);
+    }
+    if options.hvac_alarm {
+        command.args(["--features", "hvac-alarm"]);
     }
     command.env_remove("CLUSTER_VEHICLE");
     if let Some(name) = &options.vehicle {

@@ -1,4 +1,4 @@
-//! Plays a recording through the cluster's own logic and prints what it shows.
+//! Plays a recording through the instrument's own logic and prints what it shows.
 //!
 //! The same code as on the chip, ticked every 10 ms of the recording's time; without the cluster's own wires (key,
 //! doors, lamps), which no recording has. Printed is what changes: values that the bus brings, in everyday units, the
@@ -14,8 +14,7 @@ use bench::log::Log;
 use bench::time::Nanos;
 use clap::Args;
 use cluster::view::{Limp, Line, Range};
-use cluster::{Chime, Cluster, Entry, Inputs, Received, Sound, View};
-use cluster::{Telltale, Telltales};
+use cluster::{Chime, Cluster, Entry, Inputs, Instrument, Received, Sound, Telltale, Telltales, View};
 use protocol_core::model::{Missing, Severity, Shown, Value};
 use protocol_core::{Millis, Vehicle};
 use serde_json::{Value as Json, json};
@@ -59,28 +58,33 @@ pub fn run(options: &Options) -> Result<()> {
 }
 
 fn play(log: &Log, tables: Tables, json: bool, out: &mut impl Write) -> Result<()> {
-    let mut cluster = Cluster::new(tables.vehicle);
+    let mut instrument = Instrument::fixed(tables.vehicle, cluster::Options::default());
     let mut screen = Screen::new(tables.vehicle, json);
     let mut tally = Tally::default();
     let mut next_tick = Millis(0);
     for entry in &log.entries {
         while next_tick.0 * 1_000_000 <= entry.at.0 {
-            tick(&mut cluster, &mut screen, next_tick, out)?;
+            tick(&mut instrument, &mut screen, next_tick, out)?;
             next_tick = next_tick.after(TICK_MS);
         }
-        tally.count(&mut cluster, tables, entry);
+        tally.count(&mut instrument, tables, entry);
     }
-    tick(&mut cluster, &mut screen, next_tick, out)?;
+    tick(&mut instrument, &mut screen, next_tick, out)?;
     tally.report(log, tables.vehicle, json, out)?;
     out.flush()?;
     Ok(())
 }
 
-fn tick(cluster: &mut Cluster, screen: &mut Screen, now: Millis, out: &mut impl Write) -> io::Result<()> {
-    cluster.tick(&Inputs::default(), now);
+fn tick(
+    instrument: &mut Instrument,
+    screen: &mut Screen,
+    now: Millis,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    instrument.tick(&Inputs::default(), now);
     // What it sends goes nowhere: the recording has its own.
-    while cluster.transmit(now).is_some() {}
-    screen.print_changes(cluster, now, out)
+    while instrument.offer(|_| true) {}
+    screen.print_changes(instrument.cluster(), now, out)
 }
 
 /// What was printed last, to print only what is new.
@@ -287,16 +291,19 @@ struct Tally {
 }
 
 impl Tally {
-    fn count(&mut self, cluster: &mut Cluster, tables: Tables, entry: &bench::log::Entry) {
+    fn count(&mut self, instrument: &mut Instrument, tables: Tables, entry: &bench::log::Entry) {
         let counter = match can_frame(&entry.frame) {
             None => &mut self.remote,
-            Some(frame) => match cluster.receive(&frame, Millis(entry.at.0 / 1_000_000)) {
-                Received::Stored => &mut self.taken,
-                Received::TooShort => &mut self.short,
-                Received::Damaged => &mut self.damaged,
-                Received::Unknown if tables.message(frame.id).is_some() => &mut self.for_others,
-                Received::Unknown => &mut self.unknown,
-            },
+            // An instrument for one vehicle keeps no frame for later.
+            Some(frame) => {
+                match instrument.hear(&frame, Millis(entry.at.0 / 1_000_000)).unwrap_or(Received::Unknown) {
+                    Received::Stored => &mut self.taken,
+                    Received::TooShort => &mut self.short,
+                    Received::Damaged => &mut self.damaged,
+                    Received::Unknown if tables.message(frame.id).is_some() => &mut self.for_others,
+                    Received::Unknown => &mut self.unknown,
+                }
+            }
         };
         *counter += 1;
     }

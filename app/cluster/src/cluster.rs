@@ -1,43 +1,39 @@
-//! The instrument itself: takes frames, inputs and the time, tells what to show, to sound and to send.
+//! The cluster of one vehicle: takes frames, inputs and the time, tells what to show, to sound and to send.
 //!
 //! Owns one of each part and the order in which they run. Every rule is in a part.
-//! Source: BUS-R015, BUS-R016, BUS-R049, BUS-R129 with BUS-93, BUS-108, BUS-115; JL-R026, JL-R031, JL-23.
+//! Source: BUS-R015, BUS-R016, BUS-R049, BUS-108.
+
+mod pages;
 
 use crate::chime::{Chime, Player, Sound};
+use crate::decisions;
+use crate::driver::inputs::{self, Button, Controller, Inputs};
+use crate::driver::press::{Press, Push};
+use crate::driver::settings::Settings;
+use crate::facts::Facts;
 use crate::faults::Faults;
 use crate::history::Entry;
-use crate::inputs::{self, Button, Controller, Inputs, flag};
-use crate::limp;
-use crate::odometer::Odometer;
+use crate::monitors::limp;
+use crate::monitors::reverse::Reverse;
+use crate::monitors::{Options, Timers};
+use crate::navigator::{Pages, Situation};
 use crate::own::Conditions;
-use crate::page::{CELLS, Contents, Count, Leaf, Page, Pages, Part, ROWS, Situation, parts_of};
-use crate::press::{Press, Push};
-use crate::reception::{Counters, Facts, MAX_MESSAGES, Nodes, Received, Reception};
-use crate::reverse::Reverse;
-use crate::settings::Settings;
+use crate::reception::{Counters, MAX_MESSAGES, Nodes, Received, Reception};
 use crate::sources;
+use crate::start::{self, Start};
 use crate::telltales::{Lighting, Telltale, Telltales};
-use crate::timers::{Options, Timers};
 use crate::transmit::{MAX_SENT, Transmit};
-use crate::trip::{self, Trip, Trips};
-use crate::view::{ActiveFault, Charging, Limp, List, Listed, Sheet, Text, View};
-use protocol_core::model::{Gear, Reading, Readings, Severity, Shown, Value};
+use crate::trips::charge;
+use crate::trips::odometer::Odometer;
+use crate::trips::{self, Trips};
+use crate::view::page::Trip;
+use crate::view::{ActiveFault, Charging, Limp, Text, View};
+use protocol_core::model::{Gear, Readings, Severity, Shown, Value};
 use protocol_core::vehicle::{Node, Vehicle};
 use protocol_core::{CanFrame, Millis};
 
-/// All telltales are lit for this long after start, in milliseconds, so that a dead one is noticed.
-const BULB_CHECK_MS: u64 = 3_000;
-/// Time that nodes have to send their first frames before one counts as missing, in milliseconds.
-const BOOT_MS: u64 = 5_000;
 /// Half a period of the heartbeat on the screen, in milliseconds.
 const HEARTBEAT_MS: u64 = 500;
-
-/// A battery of which nothing has been heard for this long does not vouch for anybody's copy, in milliseconds.
-const BATTERY_HEARD_MS: u64 = 1_000;
-
-/// Versions that the cluster tells the vehicle, 0 to 255 (JL-R026).
-const HARDWARE: i32 = 1;
-const SOFTWARE: i32 = 1;
 
 /// An instrument cluster for one vehicle.
 #[derive(Clone)]
@@ -58,10 +54,7 @@ pub struct Cluster {
     controller: Option<Controller>,
     conditions: Conditions,
     silent: Nodes,
-    /// Time of the first tick.
-    started: Option<Millis>,
-    /// Time of the first tick for this vehicle.
-    listening: Option<Millis>,
+    start: Start,
 }
 
 impl Cluster {
@@ -71,12 +64,21 @@ impl Cluster {
     ///
     /// If the vehicle's tables are longer than [`MAX_MESSAGES`] or [`MAX_SENT`]; in a `static`, while compiling.
     pub const fn new(vehicle: &'static Vehicle) -> Self {
+        Self::with_options(vehicle, Options { hvac_alarm: false })
+    }
+
+    /// Returns a cluster that has seen nothing yet, with what whoever builds it may switch.
+    ///
+    /// # Panics
+    ///
+    /// As [`Self::new`].
+    pub const fn with_options(vehicle: &'static Vehicle, options: Options) -> Self {
         assert!(vehicle.rx.len() <= MAX_MESSAGES, "too many received messages: raise MAX_MESSAGES");
         assert!(vehicle.tx.len() <= MAX_SENT, "too many sent messages: raise MAX_SENT");
         Self {
             vehicle,
             reception: Reception::new(),
-            timers: Timers::new(),
+            timers: Timers::new(options),
             faults: Faults::new(),
             lighting: Lighting::new(),
             reverse: Reverse::new(),
@@ -90,19 +92,20 @@ impl Cluster {
             controller: None,
             conditions: Conditions { controller_missing: false, restart: None, search: None },
             silent: Nodes::NONE,
-            started: None,
-            listening: None,
+            start: Start::new(),
         }
     }
 
     /// Starts the odometer from a distance that was kept, in 1/8 km; never takes distance away.
+    ///
+    /// For whatever keeps the odometer over power-off; this firmware keeps nothing yet.
     pub fn restore(&mut self, odometer_km8: u32) {
         self.odometer.restore(odometer_km8);
     }
 
-    /// Sets what a workshop may switch.
-    pub fn configure(&mut self, options: Options) {
-        self.timers.options = options;
+    /// Takes what the instrument knows of itself: shown from now on.
+    pub(crate) fn know(&mut self, conditions: Conditions) {
+        self.conditions = conditions;
     }
 
     /// Sets a trip to zero.
@@ -120,7 +123,7 @@ impl Cluster {
             self.reverse.observe(self.shown(Value::VehicleGear, now), now);
             self.timers.observe(self.vehicle, &self.reception, now);
             let Self { vehicle, reception, timers, faults, silent, .. } = self;
-            let started = self.listening.unwrap_or(now);
+            let started = self.start.listening().unwrap_or(now);
             faults.watch_for_fire(&Facts { vehicle, reception, timers, silent: *silent, started, now });
         }
         received
@@ -128,12 +131,11 @@ impl Cluster {
 
     /// Takes the inputs and lets time pass; to be called every 10 ms.
     pub fn tick(&mut self, inputs: &Inputs, now: Millis) {
-        self.started.get_or_insert(now);
-        let listening = *self.listening.get_or_insert(now);
+        let listening = self.start.tick(now);
         self.feel(inputs, now);
-        (self.controller, self.conditions) = (inputs.controller, inputs.conditions);
+        self.controller = inputs.controller;
         inputs::file(inputs, &mut self.reception.readings);
-        self.silent = self.reception.silent_nodes(self.vehicle, listening, BOOT_MS, now);
+        self.silent = self.reception.silent_nodes(self.vehicle, listening, start::BOOT_MS, now);
         self.measure(now);
         self.decide(inputs, now);
         self.timers.observe(self.vehicle, &self.reception, now);
@@ -151,7 +153,6 @@ impl Cluster {
             now,
         );
         self.play(now);
-        self.transmit.start(now);
     }
 
     /// Adds up distance and energy.
@@ -162,31 +163,18 @@ impl Cluster {
         if let Some(km8) = distance {
             self.odometer.follow(km8);
         }
-        let is_charging = trip::is_charging(|value| self.shown(value, now));
+        let is_charging = trips::is_charging(|value| self.shown(value, now));
         self.trips.drive(speed, self.power(now).value(), is_charging, now);
     }
 
     /// Returns the power in 10 mW, positive = out of the battery.
     fn power(&self, now: Millis) -> Shown<i64> {
-        trip::power(self.shown(Value::BatteryVoltage, now), self.shown(Value::BatteryCurrent, now))
+        trips::power(self.shown(Value::BatteryVoltage, now), self.shown(Value::BatteryCurrent, now))
     }
 
     /// Files the cluster's own decisions as local values, for the messages that it sends.
     fn decide(&mut self, inputs: &Inputs, now: Millis) {
-        let gear = self.shown(Value::VehicleGear, now).value().and_then(Gear::from_number);
-        let driving_gear = gear.is_some_and(Gear::drives);
-        // Who may be upgraded is known, not guessed (JL-36): speed, gear and drive, each by a fresh value of its own.
-        let standing = self.shown(Value::VehicleSpeed, now) == Shown::Value(0);
-        let parked = matches!(gear, Some(Gear::N | Gear::P));
-        let not_ready = self.shown(Value::VehicleReady, now) == Shown::Value(0);
-        let odometer = i32::try_from(self.odometer.km8()).unwrap_or(i32::MAX);
-        let decisions = [
-            (Value::ClusterDriverLeft, flag(inputs.seat_empty && driving_gear)),
-            (Value::ClusterUpgradeForbidden, flag(!(standing && parked && not_ready))),
-            (Value::ClusterOdometer, Reading::Valid(odometer)),
-            (Value::ClusterHardware, Reading::Valid(HARDWARE)),
-            (Value::ClusterSoftware, Reading::Valid(SOFTWARE)),
-        ];
+        let decisions = decisions::of(inputs, |value| self.shown(value, now), self.odometer.km8());
         for (value, reading) in decisions {
             self.reception.readings.set(Readings::LOCAL, value, reading);
         }
@@ -241,97 +229,18 @@ impl Cluster {
         }
     }
 
-    /// Returns how much there is to turn through.
-    fn contents(&self) -> Contents {
-        let is_sent = |part: &Part| {
-            *part == Part::Bus
-                || part.values().iter().any(|&value| self.reception.readings.get(value).is_some())
-        };
-        let bits = Part::ALL.iter().enumerate().map(|(place, part)| u8::from(is_sent(part)) << place);
-        Contents {
-            faults: self.faults.count(),
-            history: self.faults.history().iter().len(),
-            parts: bits.fold(0, |all, bit| all | bit),
-        }
-    }
-
-    /// Returns the page that is shown, with what only it shows.
-    fn page(&self, now: Millis) -> Page {
-        match self.pages.leaf() {
-            Leaf::Main => Page::Main,
-            Leaf::Trip(trip) => Page::Trip(trip),
-            Leaf::Energy => Page::Energy,
-            Leaf::Faults(part) => {
-                use Severity::{Derate, None, Stop, Warn};
-                let worst_first = [Stop, Derate, Warn, None].into_iter().flat_map(|severity| {
-                    self.active_faults(now).filter(move |fault| fault.severity == severity)
-                });
-                let rows = worst_first.map(|fault| {
-                    let ActiveFault { severity, text, code, count, first, .. } = fault;
-                    Listed { severity, text, code, count, at_s: seconds(first) }
-                });
-                Page::Faults(list(rows, part, self.faults.count()))
-            }
-            Leaf::History(part) => {
-                let entries = self.faults.history().iter();
-                let count = entries.len();
-                let rows = entries.rev().map(|entry| {
-                    let (text, code) = self.remembered(entry);
-                    let Entry { severity, count, last, .. } = *entry;
-                    Listed { severity, text, code, count, at_s: seconds(last) }
-                });
-                Page::History(list(rows, part, count))
-            }
-            Leaf::Technic(place) => {
-                let parts = self.contents().parts;
-                let part = Part::ALL.get(usize::from(place)).copied().unwrap_or_default();
-                let mut cells = [Shown::Never; CELLS];
-                if part == Part::Bus {
-                    cells.iter_mut().zip(Count::ALL).for_each(|(cell, &count)| *cell = self.count(count));
-                } else {
-                    let values = part.values().iter();
-                    cells.iter_mut().zip(values).for_each(|(cell, &value)| *cell = self.shown(value, now));
-                }
-                let before = parts & ((1 << place) - 1);
-                let (position, count) = (before.count_ones() as u8 + 1, parts.count_ones() as u8);
-                Page::Technic(Sheet { part, cells, position, count })
-            }
-        }
-    }
-
-    /// Returns a counter of the bus.
-    fn count(&self, count: Count) -> Shown<i32> {
-        let counters = self.counters();
-        let number = |number: u32| Shown::Value(i32::try_from(number).unwrap_or(i32::MAX));
-        let told = |tell: fn(Controller) -> u32| self.controller.map_or(Shown::Never, |it| number(tell(it)));
-        match count {
-            Count::State => told(|controller| controller.state.map_or(0, |state| state as u32)),
-            Count::TransmitErrors => told(|controller| controller.transmit_errors.into()),
-            Count::ReceiveErrors => told(|controller| controller.receive_errors.into()),
-            Count::Sent => told(|controller| controller.sent),
-            Count::Lost => told(|controller| controller.lost),
-            Count::Stored => number(counters.stored),
-            Count::Unknown => number(counters.unknown),
-            Count::Short => number(counters.too_short),
-            Count::Damaged => number(counters.damaged),
-        }
-    }
-
-    /// Returns the next frame that is due; to be called until `None` after every tick.
+    /// Returns the next frame that is due; to be called until `None` after every tick from which on the cluster may send.
     ///
-    /// The first frames come after the first tick. A frame that the bus does not take is not repeated.
+    /// The first call after a tick starts the cycles. A frame that the bus does not take is not repeated.
     pub fn transmit(&mut self, now: Millis) -> Option<CanFrame> {
+        self.start.listening()?;
+        self.transmit.start(now);
         self.transmit.next(self.vehicle, &self.reception.readings, now)
     }
 
     /// Returns what may be shown of `value`.
     pub fn shown(&self, value: Value, now: Millis) -> Shown<i32> {
         self.reception.shown(self.vehicle, value, now)
-    }
-
-    /// Returns every cell of a stream of the vehicle (`[streams.NAME]`), raw, with its number in the table.
-    pub fn cells(&self, stream: &str) -> impl Iterator<Item = (u16, u8)> {
-        self.reception.cells(self.vehicle, stream)
     }
 
     /// Returns the vehicle.
@@ -346,13 +255,13 @@ impl Cluster {
     pub fn recognise(&mut self, vehicle: &'static Vehicle) {
         self.vehicle = vehicle;
         self.reception = Reception::new();
-        self.timers = Timers { options: self.timers.options, ..Timers::new() };
+        self.timers = Timers::new(self.timers.options);
         self.faults = Faults::new();
         self.lighting = Lighting::new();
         self.reverse = Reverse::new();
         self.transmit = Transmit::new();
         self.silent = Nodes::NONE;
-        self.listening = None;
+        self.start.of_another_vehicle();
     }
 
     /// Returns what was received so far.
@@ -394,7 +303,6 @@ impl Cluster {
         let known = |value| self.reception.last_known(value);
         let faults = self.faults.line(self.vehicle, &self.timers, now);
         let line = self.conditions.beside(faults, self.faults.misses_a_node(), now);
-        let is_bulb_check = self.started.is_none_or(|started| now.since(started) < BULB_CHECK_MS);
         View {
             speed_kmh: shown(Value::VehicleSpeed)
                 .map(|speed| (speed.max(0) >> 8).min(u16::MAX.into()) as u16),
@@ -414,13 +322,13 @@ impl Cluster {
             cell_celsius: (shown(Value::BatteryTemperatureMax), shown(Value::BatteryTemperatureMin)),
             odometer_hectometres: self.odometer.hectometres(),
             journeys: self.trips.journeys(),
-            consumption_whkm: trip::consumption_whkm(shown(Value::VehicleSpeed), power),
+            consumption_whkm: trips::consumption_whkm(shown(Value::VehicleSpeed), power),
             range: self.trips.range(shown, known),
             charging: self.charging(now),
             limp: self.limp(),
             hv_off_s: self.timers.hv_off.countdown_s(now),
             page: self.page(now),
-            telltales: if is_bulb_check { Telltales::ALL } else { self.lighting.lit() },
+            telltales: if self.start.is_bulb_check(now) { Telltales::ALL } else { self.lighting.lit() },
             is_power_limited: self.lighting.lit().is_lit(Telltale::PowerLimited),
             is_charge_low: self.lighting.lit().is_lit(Telltale::LowCharge),
             severity: self.faults.worst().max(line.map_or(Severity::None, |line| line.severity)),
@@ -433,20 +341,13 @@ impl Cluster {
 
     /// Returns what there is to tell while a plug is inserted.
     fn charging(&self, now: Millis) -> Option<Charging> {
-        trip::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
+        trips::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
     }
 
-    /// Returns the charge in 0.1 %: the battery's own word, else the vehicle controller's copy of it (JL-23).
-    ///
-    /// A silent battery has no charge to copy: the vehicle controller would repeat its last one.
+    /// Returns the charge in 0.1 %.
     fn charge(&self, now: Millis) -> Shown<i32> {
-        let own = self.shown(Value::BatterySoc, now);
-        let is_heard =
-            || self.reception.last_sign(Node::Bms).is_some_and(|at| now.since(at) < BATTERY_HEARD_MS);
-        match (own, self.shown(Value::VehicleSoc, now)) {
-            (Shown::Never | Shown::Stale | Shown::Invalid, copy @ Shown::Value(_)) if is_heard() => copy,
-            _ => own,
-        }
+        let silent_ms = self.reception.last_sign(Node::Bms).map(|at| now.since(at));
+        charge::of(self.shown(Value::BatterySoc, now), self.shown(Value::VehicleSoc, now), silent_ms)
     }
 
     /// Returns the limits of limp mode while it holds: concluded, or reported by battery or vehicle (BUS-R115).
@@ -455,17 +356,4 @@ impl Cluster {
         let limps = self.faults.limps(self.vehicle);
         limps.then(|| Limp { limit_deciamps: capacity_ah.and_then(limp::limit_deciamps) })
     }
-}
-
-/// Returns whole seconds since power-on.
-fn seconds(time: Millis) -> u32 {
-    u32::try_from(time.0 / 1_000).unwrap_or(u32::MAX)
-}
-
-/// Returns the part of a list, counted from 0; the last one when the list has become shorter than that.
-fn list(rows: impl Iterator<Item = Listed>, part: u8, length: usize) -> List {
-    let count = parts_of(length);
-    let part = part.min(count - 1);
-    let mut shown = rows.skip(usize::from(part) * ROWS);
-    List { rows: core::array::from_fn(|_| shown.next()), position: part + 1, count }
 }

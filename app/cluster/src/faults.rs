@@ -18,11 +18,11 @@
 //! Source: BUS-R027 to BUS-R029, BUS-R033, BUS-R079; readings BUS-33, BUS-77, BUS-112, BUS-113, BUS-116; JL-R013.
 
 use crate::chime::Sound;
+use crate::facts::Facts;
 use crate::history::History;
-use crate::reception::Facts;
+use crate::monitors::Timers;
 use crate::sources::{ROWS, Report, Row, code_of};
 use crate::texts;
-use crate::timers::Timers;
 use crate::view::{ActiveFault, Line};
 use heapless::Vec;
 use protocol_core::Millis;

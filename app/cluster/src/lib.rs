@@ -3,49 +3,43 @@
 //! Pure logic between frames and pixels: frames, inputs and the time go in, a [`View`], a [`Chime`] and frames to send
 //! come out. No hardware, no clock, no allocation, no identifiers: vehicles are tables in `protocol-core`.
 //!
-//! Where a rule lives: `sources` (what puts a line on the screen), `telltales`, `chime` (sounds), `inputs` (own
-//! wires), `texts` (all words), each a table; `hv_off`, `limp`, `charger`, `hvac`, `buzzer`, `reverse` (timing), each a
-//! small machine; `own` (what the instrument says of itself); `page` (which page, what turns it).
+//! The door is [`Instrument`]. Where a rule lives: `sources` (what puts a line on the screen), `telltales`, `chime`
+//! (sounds), `driver::inputs` (own wires), `texts` (all words), each a table; `monitors` (timing), each a small machine;
+//! `instrument` (which vehicle this is, when it may send), `own` (what the instrument says of itself); `navigator` (which
+//! page, what turns it); `decisions` (what is said to the vehicle).
 
 #![no_std]
 #![forbid(unsafe_code)]
 
-mod buzzer;
-mod charger;
 pub mod chime;
 mod cluster;
-mod debounce;
-pub mod detect;
+mod decisions;
+mod driver;
+mod facts;
 mod faults;
 pub mod history;
-mod hv_off;
-mod hvac;
-pub mod inputs;
-mod limp;
-mod odometer;
+pub mod instrument;
+mod monitors;
+mod navigator;
 pub mod own;
-pub mod page;
-mod press;
 mod reception;
-mod reverse;
-mod settings;
 mod sources;
+mod start;
 pub mod telltales;
 pub mod texts;
-mod timers;
 mod transmit;
-mod trip;
+mod trips;
 pub mod view;
 
 pub use chime::{Chime, Sound};
 pub use cluster::Cluster;
+pub use driver::inputs;
+pub use driver::inputs::{Button, Buttons, Contacts, Controller, Inputs, Key};
 pub use history::{Entry, Source};
-pub use inputs::{Button, Buttons, Controller, Doors, Inputs, Key, Lights};
-pub use own::Conditions;
-pub use page::Page;
+pub use instrument::{Access, Instrument};
+pub use monitors::Options;
 pub use reception::{Counters, MAX_MESSAGES, Received};
 pub use telltales::{Place, Telltale, TelltaleColour, Telltales};
-pub use timers::Options;
 pub use transmit::MAX_SENT;
-pub use trip::Trip;
-pub use view::View;
+pub use view::page::{Page, Trip};
+pub use view::{View, page};

@@ -46,13 +46,13 @@ pub enum Search {
 
 /// What the instrument knows of itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Conditions {
+pub(crate) struct Conditions {
     /// The CAN controller does not answer.
-    pub controller_missing: bool,
+    pub(crate) controller_missing: bool,
     /// Why the cluster started, if it was a fault of its own.
-    pub restart: Option<Restart>,
+    pub(crate) restart: Option<Restart>,
     /// The search for the vehicle; `None` = there is none, the image is for one vehicle.
-    pub search: Option<Search>,
+    pub(crate) search: Option<Search>,
 }
 
 /// A line of the instrument.

@@ -1,13 +1,10 @@
-//! What came in and how long ago: the receive table's living half.
+//! What came in and how long ago: readings and last signs of life.
 //!
 //! Owns the readings, the last sign of life of every message and the receive counters. A life counter that stands
 //! still is silence, however many frames arrive. What a stream says gives way to any message that says it too.
 //! Refuses to know what a value means.
 //! Source: BUS-11 (all bits of the identifier), BUS-108 (time-outs), BUS-R061 and BUS-63 (life counters).
 
-use crate::hvac;
-use crate::limp::Link;
-use crate::timers::Timers;
 use protocol_core::model::{Reading, Readings, Shown, Value};
 use protocol_core::stream::{Stream, Streams};
 use protocol_core::vehicle::{Node, RxMessage, Vehicle};
@@ -42,18 +39,10 @@ pub struct Counters {
     pub too_short: u32,
     /// Frames with a wrong check byte.
     pub damaged: u32,
-    last_seen: LastSeen,
 }
 
 /// When each node gave its last sign of life.
 type LastSeen = [Option<Millis>; NODES];
-
-impl Counters {
-    /// Returns when `node` gave its last sign of life.
-    pub fn last_seen(&self, node: Node) -> Option<Millis> {
-        self.last_seen.get(node as usize).copied().flatten()
-    }
-}
 
 /// The last sign of life of one message.
 #[derive(Clone, Copy)]
@@ -152,12 +141,6 @@ impl Reception {
         }
     }
 
-    /// Returns every cell of the stream of this name, raw, with its number.
-    pub(crate) fn cells(&self, vehicle: &Vehicle, stream: &str) -> impl Iterator<Item = (u16, u8)> {
-        let stream = vehicle.streams.iter().find(|known| known.name == stream);
-        stream.into_iter().flat_map(|stream| self.streams.cells(stream))
-    }
-
     /// Returns what may be shown of `value`.
     pub(crate) fn shown(&self, vehicle: &Vehicle, value: Value, now: Millis) -> Shown<i32> {
         let Some((reading, source)) = self.readings.get(value) else {
@@ -224,7 +207,6 @@ impl Reception {
             unknown: self.unknown,
             too_short: self.too_short,
             damaged: self.damaged,
-            last_seen: self.last_seen,
         }
     }
 }
@@ -251,55 +233,5 @@ impl Nodes {
 
     pub(crate) fn is_empty(self) -> bool {
         self.0 == 0
-    }
-}
-
-/// Everything that the tables of lamps and faults may ask.
-#[derive(Clone, Copy)]
-pub(crate) struct Facts<'a> {
-    pub(crate) vehicle: &'static Vehicle,
-    pub(crate) reception: &'a Reception,
-    pub(crate) timers: &'a Timers,
-    /// Nodes of which an expected message is missing.
-    pub(crate) silent: Nodes,
-    pub(crate) started: Millis,
-    pub(crate) now: Millis,
-}
-
-impl Facts<'_> {
-    /// Returns what may be shown of `value`.
-    pub(crate) fn shown(&self, value: Value) -> Shown<i32> {
-        self.reception.shown(self.vehicle, value, self.now)
-    }
-
-    /// Returns the last number of `value`, however old: for what does not change, and for what silence leaves as it
-    /// was.
-    pub(crate) fn last_known(&self, value: Value) -> Option<i32> {
-        self.reception.last_known(value)
-    }
-
-    /// Returns whether the vehicle has sent `value` since power-on.
-    pub(crate) fn is_sent(&self, value: Value) -> bool {
-        self.reception.readings.get(value).is_some_and(|(_, source)| source != Readings::LOCAL)
-    }
-
-    /// Returns how long ago `node` gave its last sign of life, in milliseconds; never = since the start.
-    fn silence_ms(&self, node: Node) -> u64 {
-        self.now.since(self.reception.last_sign(node).unwrap_or(self.started))
-    }
-
-    /// Returns what is known of the link between battery and vehicle controller.
-    pub(crate) fn link(&self) -> Link {
-        Link {
-            battery_silent_ms: self.silent.has(Node::Bms).then(|| self.silence_ms(Node::Bms)),
-            vehicle_silent: self.silent.has(Node::Vcu),
-            mode: self.shown(Value::VehicleMode).value(),
-        }
-    }
-
-    /// Returns whether the loss of a running air conditioning is to be told.
-    pub(crate) fn has_lost_hvac(&self) -> bool {
-        let was_running = self.last_known(Value::HvacOn) == Some(1);
-        hvac::is_lost(self.timers.options.hvac_alarm, was_running, self.silence_ms(Node::Hvac))
     }
 }

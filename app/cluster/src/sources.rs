@@ -6,10 +6,10 @@
 //! JL-R013, JL-R023, JL-R024; C5-R005; readings BUS-55, BUS-77, BUS-79, BUS-90, BUS-106, BUS-109, BUS-113, C5-15,
 //! JL-23, JL-24, JL-56.
 
+use crate::facts::Facts;
 use crate::faults::Fault;
 use crate::history::{Entry, Source};
-use crate::hv_off::Phase;
-use crate::reception::Facts;
+use crate::monitors::hv_off::Phase;
 use crate::texts;
 use crate::view::Text;
 use protocol_core::model::{Severity, Shown, Value};

@@ -89,8 +89,8 @@ impl Day {
             };
         }
         let bits = self.dice.next();
-        self.inputs.seat_empty = bits & 1 != 0;
-        self.inputs.smoke = bits & 0xF0 == 0;
+        self.inputs.contacts.set(Value::BodySeatEmpty, bits & 1 != 0);
+        self.inputs.contacts.set(Value::BodySmoke, bits & 0xF0 == 0);
         self.inputs.buttons.next = bits & 2 != 0;
         self.inputs.buttons.menu = bits & 4 != 0;
         self.inputs.air_front_centimpa = (bits & 8 != 0).then_some((bits >> 8 & 0x7F) as u16);

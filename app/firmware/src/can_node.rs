@@ -2,39 +2,26 @@
 //!
 //! The screen comes up without it; a module that is plugged in later is found within a second.
 
+use cluster::Access;
 use mcp2515_can::driver::Verdict;
 use mcp2515_can::{Config, Health, Mcp2515, Mode, Refusals, Refused, TransmitError};
 use pico::can_port::SpiStuck;
 use pico::{CanInt, CanSpi, Delay};
 use protocol_core::CanFrame;
 
-use crate::recognition;
+use crate::config;
 
-/// How the controller takes part once the vehicle is known.
-const MODE: Mode = if cfg!(feature = "listen-only") { Mode::ListenOnly } else { Mode::Normal };
-
-/// What changes while the vehicle is looked for.
-#[derive(Clone, Copy)]
-pub struct Settings {
-    bitrate: u32,
-    mode: Mode,
+const fn mode(access: Access) -> Mode {
+    if access.may_send && !config::LISTEN_ONLY { Mode::Normal } else { Mode::ListenOnly }
 }
 
-impl Settings {
-    /// An unknown vehicle is only listened to.
-    const FIRST: Self = Self {
-        bitrate: recognition::FIRST_BITRATE,
-        mode: if recognition::FIXED.is_some() { MODE } else { Mode::ListenOnly },
-    };
-
-    const fn config(self) -> Config {
-        Config {
-            oscillator: pico::facts::CAN_OSCILLATOR,
-            bitrate: self.bitrate,
-            mode: self.mode,
-            // Every frame comes in: the bus of one vehicle is a few per cent of what the service manages.
-            acceptance: None,
-        }
+const fn settings(access: Access) -> Config {
+    Config {
+        oscillator: pico::facts::CAN_OSCILLATOR,
+        bitrate: access.bitrate,
+        mode: mode(access),
+        // Every frame comes in: the bus of one vehicle is a few per cent of what the service manages.
+        acceptance: None,
     }
 }
 
@@ -55,17 +42,17 @@ enum Chip {
 /// the lock that keeps the interrupt out.
 pub enum Attempt {
     /// Start a controller that has not answered yet.
-    Start(CanSpi, CanInt, Settings),
+    Start(CanSpi, CanInt, Access),
     /// Start one anew that has gone astray, or that is to listen at another bit rate.
-    Restart(Driver, Settings),
+    Restart(Driver, Access),
 }
 
 impl Attempt {
     /// Starts the controller.
     pub fn run(self) -> Outcome {
         let started = match self {
-            Self::Start(spi, int, settings) => Mcp2515::new(spi, int, settings.config(), &mut Delay),
-            Self::Restart(mut driver, settings) => match driver.reconfigure(settings.config(), &mut Delay) {
+            Self::Start(spi, int, access) => Mcp2515::new(spi, int, settings(access), &mut Delay),
+            Self::Restart(mut driver, access) => match driver.reconfigure(settings(access), &mut Delay) {
                 Ok(()) => Ok(driver),
                 Err(error) => {
                     let (spi, int) = driver.free();
@@ -106,7 +93,7 @@ pub struct Status {
 /// The CAN node of the cluster.
 pub struct CanNode {
     chip: Chip,
-    settings: Settings,
+    access: Access,
     /// Next attempt to start or restart the controller, in milliseconds since start.
     retry_ms: u64,
     queue_overflows: u32,
@@ -115,11 +102,11 @@ pub struct CanNode {
 }
 
 impl CanNode {
-    /// Returns a node whose controller is started by the first [`Self::supervise`].
-    pub const fn new(spi: CanSpi, int: CanInt) -> Self {
+    /// Returns a node whose controller is started by the first [`Self::supervise`], to take part like this.
+    pub const fn new(spi: CanSpi, int: CanInt, access: Access) -> Self {
         Self {
             chip: Chip::Down(spi, int),
-            settings: Settings::FIRST,
+            access,
             retry_ms: 0,
             queue_overflows: 0,
             spi_errors: 0,
@@ -188,27 +175,24 @@ impl CanNode {
             Chip::Running(mut chip) => {
                 // Nobody would answer a low level while the parts are away.
                 chip.int().mask();
-                Care::Attempt(Attempt::Restart(chip, self.settings))
+                Care::Attempt(Attempt::Restart(chip, self.access))
             }
-            Chip::Down(spi, int) => Care::Attempt(Attempt::Start(spi, int, self.settings)),
+            Chip::Down(spi, int) => Care::Attempt(Attempt::Start(spi, int, self.access)),
             Chip::Away => Care::Nothing,
         }
     }
 
-    /// Listens at another bit rate from now on; at once if the controller runs.
-    pub fn retune(&mut self, bitrate: u32) -> Care {
-        self.settings.bitrate = bitrate;
-        if matches!(self.chip, Chip::Running(_)) { self.start_anew() } else { Care::Nothing }
-    }
-
-    /// Takes part in the bus: the vehicle is known. Not right before [`Self::supervise`].
-    pub fn join(&mut self) {
-        self.settings.mode = MODE;
-        if let Chip::Running(chip) = &mut self.chip
-            && chip.change_mode(MODE).is_err()
-        {
+    /// Takes part in the bus like this from now on; not right before [`Self::supervise`].
+    pub fn follow(&mut self, access: Access) -> Care {
+        let before = core::mem::replace(&mut self.access, access);
+        let Chip::Running(chip) = &mut self.chip else { return Care::Nothing };
+        if before.bitrate != access.bitrate {
+            return self.start_anew();
+        }
+        if before.may_send != access.may_send && chip.change_mode(mode(access)).is_err() {
             self.spi_errors = self.spi_errors.saturating_add(1);
         }
+        Care::Nothing
     }
 
     /// Returns whether a frame with an error was on the bus since the last call.

@@ -1,38 +1,37 @@
 //! The instrument cluster on a Raspberry Pi Pico: wiring only.
 //!
 //! <!-- tasks: cargo xtask tasks -->
-//! | task          | trigger       | priority | at start | later    | locals             | shared               |
-//! |---------------|---------------|----------|----------|----------|--------------------|----------------------|
-//! | `init`        | power-on      |          | < 17 ms  |          | memory, queue,     |                      |
-//! |               |               |          |          |          | tile_a, tile_b     |                      |
-//! | `can_service` | IO_IRQ_BANK0  | 4        | -        | < 77 us  | frames_in          | can                  |
-//! | `panel_done`  | DMA_IRQ_0     | 3        | < 17 us  | < 27 us  | tile_done_in       |                      |
-//! | `link_done`   | DMA_IRQ_1     | 3        | < 16 us  | < 16 us  |                    | link                 |
-//! | `tick`        | every 10 ms   | 2        | < 1.9 ms | < 2.7 ms | frames_out,        | can, cluster, &boot  |
-//! |               |               |          |          |          | views_in, wires,   |                      |
-//! |               |               |          |          |          | buzzer, led,       |                      |
-//! |               |               |          |          |          | recognition, watch |                      |
-//! | `draw`        | views_out,    | 1        | < 1.9 ms | < 7.3 ms | panel, tiles,      | shown, &boot         |
-//! |               | tile_done_out |          |          |          | backlight,         |                      |
-//! |               |               |          |          |          | views_out,         |                      |
-//! |               |               |          |          |          | tile_done_out      |                      |
-//! | `report`      | every 200 ms  | 1        | < 1.9 ms | < 7.3 ms |                    | can, cluster, shown, |
-//! |               |               |          |          |          |                    | link, &boot          |
-//! | (no task)     | TIMER_IRQ_0   | 3        | < 23 us  | < 35 us  |                    |                      |
-//! | `idle`        | nothing else  | 0        |          |          |                    |                      |
+//! | task          | trigger       | priority | at start | later    | locals             | shared             |
+//! |---------------|---------------|----------|----------|----------|--------------------|--------------------|
+//! | `init`        | power-on      |          | < 17 ms  |          | memory, queue,     |                    |
+//! |               |               |          |          |          | tile_a, tile_b     |                    |
+//! | `can_service` | IO_IRQ_BANK0  | 4        | -        | < 76 us  | frames_in          | can                |
+//! | `panel_done`  | DMA_IRQ_0     | 3        | < 16 us  | < 28 us  | tile_done_in       |                    |
+//! | `link_done`   | DMA_IRQ_1     | 3        | < 16 us  | < 16 us  |                    | link               |
+//! | `tick`        | every 10 ms   | 2        | < 2 ms   | < 2.8 ms | frames_out,        | can, instrument,   |
+//! |               |               |          |          |          | views_in, wires,   | &boot              |
+//! |               |               |          |          |          | buzzer, led, watch |                    |
+//! | `draw`        | views_out,    | 1        | < 2 ms   | < 8.4 ms | panel, tiles,      | shown, &boot       |
+//! |               | tile_done_out |          |          |          | backlight,         |                    |
+//! |               |               |          |          |          | views_out,         |                    |
+//! |               |               |          |          |          | tile_done_out      |                    |
+//! | `report`      | every 200 ms  | 1        | < 2 ms   | < 8.4 ms |                    | can, instrument,   |
+//! |               |               |          |          |          |                    | shown, link, &boot |
+//! | (no task)     | TIMER_IRQ_0   | 3        | < 28 us  | < 35 us  |                    |                    |
+//! | `idle`        | nothing else  | 0        |          |          |                    |                    |
 //!
 //! Longest times on the bench, rustc 1.95.0: power-on, the 60 s city drive while pages turn, its frames back to back
 //! for 5 s, the bus shorted for 1 s. At start: in the first 500 ms; `init` from power-on. Times are to a task's end
 //! or its next `await`, without what interrupts it. `draw` and `report` run in one interrupt, whose times they have.
-//! Interrupts masked: < 120 us; stack: < 15000 bytes.
+//! Interrupts masked: < 120 us; stack: < 16000 bytes.
 //! <!-- /tasks -->
 //!
 //! Reception outranks everything and is never masked for longer than one lock of `can`: a frame of 47 bits at
 //! 250 kbit/s leaves 376 us. `draw` and `report` give way to each other at every `await`, to all else at once.
 //! `tick` feeds the watchdog, and only while `draw` makes progress: a cluster whose picture stands still is reset.
 //!
-//! The node only listens until `tick` is certain of the vehicle, at the bit rate at which frames are heard
-//! (`recognition`).
+//! The node only listens until the instrument is certain of the vehicle, at the bit rate at which frames are heard
+//! (`cluster::instrument`).
 //!
 //! Words of a panic or hard fault are kept over the reset, reported, and shown.
 
@@ -44,9 +43,8 @@
 )]
 
 mod can_node;
-mod conditions;
+mod config;
 mod queue;
-mod recognition;
 mod tasks;
 mod telemetry;
 mod wires;
@@ -59,15 +57,15 @@ use portable_atomic as _;
 mod app {
     use core::mem::MaybeUninit;
 
-    use cluster::{Cluster, View};
+    use cluster::{Instrument, View};
     use pico::{Backlight, Boot, Buzzer, Led, LinkPort, Memory, PanelPort};
     use rtic_monotonics::rp2040::prelude::*;
     use rtic_sync::make_signal;
     use rtic_sync::signal::{SignalReader, SignalWriter};
 
     use crate::can_node::CanNode;
+    use crate::config;
     use crate::queue::{FrameQueue, FrameReader, FrameWriter};
-    use crate::recognition::{self, Recognition};
     use crate::tasks::{Tile, Watch, draw, idle, link_done, panel_done, report, tick};
     use crate::wires::Wires;
 
@@ -76,7 +74,7 @@ mod app {
     #[shared]
     struct Shared {
         can: CanNode,
-        cluster: Cluster,
+        instrument: Instrument,
         /// What the panel shows.
         shown: View,
         link: LinkPort,
@@ -97,7 +95,6 @@ mod app {
         wires: Wires,
         buzzer: Buzzer,
         led: Led,
-        recognition: Recognition,
         watch: Watch,
     }
 
@@ -114,7 +111,7 @@ mod app {
         Mono::start(board.timer, &board.resets, Priority::rtic_default());
         pico::start_watchdog(&mut board.watchdog);
 
-        let can = CanNode::new(board.can_spi, board.can_int);
+        let can = CanNode::new(board.can_spi, board.can_int, config::FIRST_ACCESS);
         let (frames_in, frames_out) = cx.local.queue.split();
         let (views_in, views_out) = make_signal!(View);
         let (tile_done_in, tile_done_out) = make_signal!(());
@@ -122,9 +119,10 @@ mod app {
         // Each is spawned once and never ends: there is always room.
         let _ = (tick::spawn(), draw::spawn(), report::spawn());
         (
+            // Built where it stays: the stack has no room for a copy.
             Shared {
                 can,
-                cluster: recognition::cluster(),
+                instrument: config::instrument(),
                 shown: View::default(),
                 link: board.link,
                 boot: board.boot,
@@ -146,7 +144,6 @@ mod app {
                 wires: Wires::new(board.buttons, board.body, board.gauges),
                 buzzer: board.buzzer,
                 led: board.led,
-                recognition: Recognition::new(),
                 watch: Watch::new(board.watchdog),
             },
         )
@@ -168,8 +165,8 @@ mod app {
 
         #[task(
             priority = 2,
-            local = [frames_out, views_in, wires, buzzer, led, recognition, watch],
-            shared = [can, cluster, &boot],
+            local = [frames_out, views_in, wires, buzzer, led, watch],
+            shared = [can, instrument, &boot],
         )]
         async fn tick(cx: tick::Context);
 
@@ -180,7 +177,7 @@ mod app {
         )]
         async fn draw(cx: draw::Context);
 
-        #[task(priority = 1, shared = [can, cluster, shown, link, &boot])]
+        #[task(priority = 1, shared = [can, instrument, shown, link, &boot])]
         async fn report(cx: report::Context);
 
         #[idle]

@@ -1,5 +1,6 @@
-//! From the state of the firmware to records of the PC link: conversions only.
+//! From the state of the firmware to records of the PC link and to what the instrument takes in: conversions only.
 
+use cluster::own::Restart;
 use cluster::{Cluster, Controller, Counters, View};
 use pico::{Boot, Reset};
 use protocol_core::link::{
@@ -62,6 +63,15 @@ pub fn controller(can: Status) -> Controller {
         receive_errors: chip.receive_errors,
         sent: chip.sent,
         lost: chip.overruns.saturating_add(can.queue_overflows),
+    }
+}
+
+/// Why the firmware started, if it was a fault of its own.
+pub fn restart(boot: &Boot) -> Option<Restart> {
+    match (&boot.note, boot.reset) {
+        (Some(note), _) => Some(Restart::Panic(u16::try_from(note.line).ok())),
+        (None, Reset::Watchdog) => Some(Restart::Watchdog),
+        (None, Reset::Power | Reset::Pin | Reset::Panic) => None,
     }
 }
 

@@ -1,30 +1,28 @@
 //! The cluster's logic on the host: the virtual vehicle's frames go straight in, every 10 ms the cluster is ticked.
 //!
-//! Does what the firmware's tick does, without a chip: it finds out which vehicle it is, takes its own wires from the
-//! vehicle's body, sends once the vehicle is certain, and says what it knows of itself. There is no bus: a fault of the bus is nothing but silence, and frames take no time.
+//! The same instrument as on the chip, fed like there: frames, the own wires from the vehicle's body, the time. There is
+//! no bus and no controller: a fault of the bus is nothing but silence, and frames take no time.
 
 use super::answer::FoundLine;
 use super::name::{PAGES, Signal, snake};
 use super::{Action, Answer, BusFault, Name, Place, Subject};
+use crate::switches;
 use anyhow::Result;
-use cluster::detect::Detector;
 use cluster::view::Line;
-use cluster::{Button, Buttons, Cluster, Conditions, Doors, Inputs, Key, Lights, Sound, View};
+use cluster::{Button, Buttons, Contacts, Inputs, Instrument, Key, Sound, View};
 use protocol_core::generated::SHIPPED_VEHICLES;
 use protocol_core::link::Sample;
 use protocol_core::model::{Gear, Shown};
-use protocol_core::vehicle::NO_VEHICLE;
 use protocol_core::{CanFrame, Millis};
 use virtual_vehicle::{Kind, Options, STEP_MS, VirtualVehicle, World};
 
 /// A supply below this is not measured, in volts.
 const SUPPLY_MEASURED: f64 = 3.0;
 
-/// The cluster's logic beside a virtual vehicle.
+/// An instrument beside a virtual vehicle.
 pub struct HostSubject {
     vehicle: VirtualVehicle,
-    cluster: Cluster,
-    detector: Detector,
+    instrument: Instrument,
     buttons: Buttons,
     faults: Vec<BusFault>,
     sent: Transmitted,
@@ -38,8 +36,7 @@ impl HostSubject {
     pub fn new(kind: Kind, options: Options) -> Self {
         Self {
             vehicle: VirtualVehicle::new(kind, options),
-            cluster: Cluster::new(&NO_VEHICLE),
-            detector: Detector::new(SHIPPED_VEHICLES),
+            instrument: Instrument::searching(SHIPPED_VEHICLES, cluster::Options::default()),
             buttons: Buttons::default(),
             faults: Vec::new(),
             sent: Transmitted::default(),
@@ -52,50 +49,37 @@ impl HostSubject {
         Millis(self.now_ms)
     }
 
-    /// Takes a frame, as `recognition` of the firmware does.
-    fn hear(&mut self, frame: &CanFrame) {
-        let now = self.now();
-        // All three vehicles have the same bit rate; a subject is built for one of them.
-        let bitrate = super::name::vehicle(self.vehicle.kind()).map_or(0, |vehicle| vehicle.bitrate);
-        let is_known = self.detector.found().is_some();
-        if let Some(found) = self.detector.hear(frame, bitrate, now) {
-            self.cluster.recognise(found.vehicle);
-            for (frame, at) in self.detector.take_kept() {
-                self.cluster.receive(&frame, at);
-            }
-        } else if is_known {
-            self.cluster.receive(frame, now);
-        }
-    }
-
     fn step(&mut self) {
         self.vehicle.advance();
         self.now_ms += STEP_MS;
         let is_silent = !self.faults.is_empty();
         for sent in self.vehicle.take_frames() {
             if !is_silent {
-                self.hear(&sent.frame);
+                self.instrument.hear(&sent.frame, Millis(self.now_ms));
             }
         }
         let now = self.now();
-        let search = Some(self.detector.state(now));
-        let conditions = Conditions { search, ..Conditions::default() };
-        self.cluster.tick(&inputs(self.vehicle.world(), self.buttons, conditions), now);
-        // At most one frame per row of the vehicle's table is due.
-        while let Some(frame) = self.cluster.transmit(now) {
-            if !is_silent && self.detector.may_answer() {
-                self.vehicle.receive(&frame);
-                self.sent.push(self.now_ms, frame);
+        self.instrument.tick(&inputs(self.vehicle.world(), self.buttons), now);
+        let access = self.instrument.look(|| false, now);
+        debug_assert!(
+            super::name::vehicle(self.vehicle.kind()).is_none_or(|it| it.bitrate == access.bitrate)
+        );
+        let Self { instrument, vehicle, sent, now_ms, .. } = self;
+        while instrument.offer(|frame| {
+            if !is_silent {
+                vehicle.receive(frame);
+                sent.push(*now_ms, *frame);
             }
-        }
-        let sound = self.cluster.chime(now).map(|chime| chime.sound);
+            true
+        }) {}
+        let sound = self.instrument.chime(now).map(|chime| chime.sound);
         if self.sounds.last().map(|(_, sound)| *sound) != Some(sound) {
             self.sounds.push((self.now_ms, sound));
         }
     }
 
     fn view(&self) -> View {
-        self.cluster.view(self.now())
+        self.instrument.view(self.now())
     }
 }
 
@@ -122,7 +106,7 @@ impl Subject for HostSubject {
             }
             Action::Send(frame) => {
                 if let Some(frame) = frame.data_frame().filter(|_| self.faults.is_empty()) {
-                    self.hear(&frame);
+                    self.instrument.hear(&frame, Millis(self.now_ms));
                 }
             }
         }
@@ -145,7 +129,9 @@ impl Subject for HostSubject {
                 Some(Some(deciamps)) => Answer::Number(f64::from(deciamps) / 10.0),
             },
             Name::Page => page(view.page.number()),
-            Name::Value(value) => Answer::of_sample(self.cluster.shown(*value, self.now()).into(), *value),
+            Name::Value(value) => {
+                Answer::of_sample(self.instrument.cluster().shown(*value, self.now()).into(), *value)
+            }
             Name::Sent(signal) => self.sent.answer(signal, self.now_ms),
             Name::Truth { path, .. } => Answer::of_truth(self.vehicle.readout(path)),
             Name::Sound => self.sound_at(self.now_ms),
@@ -221,26 +207,17 @@ fn found(line: Line) -> FoundLine {
 }
 
 /// The cluster's own wires, as the board's pins bring them to the firmware.
-fn inputs(world: &World, buttons: Buttons, conditions: Conditions) -> Inputs {
+fn inputs(world: &World, buttons: Buttons) -> Inputs {
     let air = |mpa: f64| (world.kind == Kind::Citybus).then_some((mpa * 100.0).round() as u16);
     Inputs {
         key: Key::On,
-        doors: Doors { front: world.body.front_door, rear: world.body.rear_door, ..Doors::default() },
-        lights: Lights {
-            turn_left: world.body.turn_left,
-            turn_right: world.body.turn_right,
-            ..Lights::default()
-        },
-        seat_empty: world.driver.seat_empty,
-        parking_brake: world.driver.parking_brake,
-        smoke: world.body.smoke,
+        contacts: Contacts::closed(switches::closed(world)),
         supply_decivolts: Some(world.supply.volts)
             .filter(|volts| *volts >= SUPPLY_MEASURED)
             .map(|volts| (volts * 10.0).round() as u16),
         air_front_centimpa: air(world.air.front_mpa),
         air_rear_centimpa: air(world.air.rear_mpa),
         buttons,
-        conditions,
-        ..Inputs::default()
+        controller: None,
     }
 }

@@ -247,6 +247,14 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world, setting| world.body.turn_right = is_on(setting),
     ),
     Control::new(
+        "body.hazard",
+        ["应急灯", "Hazard warning"],
+        BODY,
+        Takes::Flag,
+        |world| flag(world.body.hazard),
+        |world, setting| world.body.hazard = is_on(setting),
+    ),
+    Control::new(
         "body.smoke",
         ["车厢烟雾", "Smoke in the passenger room"],
         BODY,

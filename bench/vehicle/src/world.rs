@@ -55,6 +55,8 @@ pub struct Body {
     pub turn_left: bool,
     /// Right indicator on.
     pub turn_right: bool,
+    /// Hazard warning switched on.
+    pub hazard: bool,
     /// Smoke detector in the passenger room gives alarm.
     pub smoke: bool,
 }

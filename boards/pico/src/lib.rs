@@ -41,10 +41,11 @@ pub use panel_port::PanelPort;
 pub use retained::{Boot, Reset};
 pub use rp2040_hal::Watchdog;
 pub use rp2040_hal::pac;
-pub use small_parts::{Backlight, Body, BodyWires, Buttons, Buzzer, Led};
+pub use small_parts::{Backlight, BodyWires, Buttons, Buzzer, Led};
 
 use embedded_hal::spi::{MODE_0, MODE_3};
 use facts::LINK_RING;
+use protocol_core::Value;
 use rp2040_hal as hal;
 use rp2040_hal::clocks::ClocksManager;
 use rp2040_hal::dma::DMAExt;
@@ -109,6 +110,9 @@ pub struct Board {
     pub boot: Boot,
 }
 
+/// Contacts of the body that have a pin.
+const CONTACTS: usize = 8;
+
 /// Brings the board up: clocks at 125 MHz, the timer running, the vector table in RAM, every part idle.
 ///
 /// A clock that does not start resets the chip: without clocks there is nobody to tell.
@@ -170,10 +174,9 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
     backlight_slice.channel_b.output_to(backlight_pin);
     buzzer_slice.channel_b.output_to(buzzer_pin);
 
-    let link_pins = (
-        pins.gpio0.reconfigure::<FunctionUart, hal::gpio::PullNone>(),
-        pins.gpio1.reconfigure::<FunctionUart, hal::gpio::PullUp>(),
-    );
+    // Nothing is received: the other pin of the UART is a contact.
+    let link_pins =
+        hal::uart::Pins::default().tx(pins.gpio0.reconfigure::<FunctionUart, hal::gpio::PullNone>());
     let link_config = UartConfig::new(facts::LINK_BAUD.Hz(), DataBits::Eight, None, StopBits::One);
     let uart = UartPeripheral::new(pac.UART0, link_pins, &mut pac.RESETS);
     let Ok(uart) = uart.enable(link_config, peripheral_clock) else { hal::reset() };
@@ -185,15 +188,16 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
         backlight: Backlight::new(backlight_slice),
         buzzer: Buzzer::new(buzzer_slice),
         buttons: Buttons { first: pins.gpio2.into_pull_up_input(), second: pins.gpio3.into_pull_up_input() },
-        body: BodyWires {
-            front_door: pins.gpio4.into_pull_up_input(),
-            rear_door: pins.gpio5.into_pull_up_input(),
-            seat_empty: pins.gpio6.into_pull_up_input(),
-            parking_brake: pins.gpio7.into_pull_up_input(),
-            smoke: pins.gpio14.into_pull_up_input(),
-            turn_left: pins.gpio21.into_pull_up_input(),
-            turn_right: pins.gpio22.into_pull_up_input(),
-        },
+        body: BodyWires([
+            (Value::BodyDoorFront, pins.gpio4.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyDoorRear, pins.gpio5.into_pull_up_input().into_dyn_pin()),
+            (Value::BodySeatEmpty, pins.gpio6.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyParkingBrake, pins.gpio7.into_pull_up_input().into_dyn_pin()),
+            (Value::BodySmoke, pins.gpio14.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyTurnLeft, pins.gpio21.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyTurnRight, pins.gpio22.into_pull_up_input().into_dyn_pin()),
+            (Value::BodyHazard, pins.gpio1.into_pull_up_input().into_dyn_pin()),
+        ]),
         gauges,
         led: Led(pins.gpio25.into_push_pull_output_in_state(PinState::Low).into_pull_type()),
         link: LinkPort::new(uart, dma.ch1, &mut memory.link_ring),

@@ -5,16 +5,17 @@
 
 use core::sync::atomic::{Ordering, compiler_fence};
 use rp2040_hal::dma::{CH1, Channel, SingleChannel};
-use rp2040_hal::gpio::bank0::{Gpio0, Gpio1};
-use rp2040_hal::gpio::{FunctionUart, Pin, PullNone, PullUp};
+use rp2040_hal::gpio::bank0::Gpio0;
+use rp2040_hal::gpio::{FunctionUart, Pin, PullNone};
 use rp2040_hal::pac;
-use rp2040_hal::uart::{Enabled, UartPeripheral};
+use rp2040_hal::typelevel::{OptionTNone, OptionTSome};
+use rp2040_hal::uart::{Enabled, Pins, UartPeripheral};
 
 use crate::facts::{LINK_DMA, LINK_RING};
 
-pub(crate) type Tx = Pin<Gpio0, FunctionUart, PullNone>;
-pub(crate) type Rx = Pin<Gpio1, FunctionUart, PullUp>;
-pub(crate) type Uart = UartPeripheral<Enabled, pac::UART0, (Tx, Rx)>;
+type Tx = OptionTSome<Pin<Gpio0, FunctionUart, PullNone>>;
+type TxOnly = Pins<Tx, OptionTNone, OptionTNone, OptionTNone>;
+pub(crate) type Uart = UartPeripheral<Enabled, pac::UART0, TxOnly>;
 
 /// The sending side of the PC link.
 pub struct LinkPort {

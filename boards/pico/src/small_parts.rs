@@ -2,8 +2,9 @@
 
 use embedded_hal::digital::{InputPin, OutputPin};
 use embedded_hal::pwm::SetDutyCycle;
-use rp2040_hal::gpio::bank0::{Gpio2, Gpio3, Gpio4, Gpio5, Gpio6, Gpio7, Gpio14, Gpio21, Gpio22, Gpio25};
-use rp2040_hal::gpio::{FunctionSio, Pin, PullNone, PullUp, SioInput, SioOutput};
+use protocol_core::Value;
+use rp2040_hal::gpio::bank0::{Gpio2, Gpio3, Gpio25};
+use rp2040_hal::gpio::{DynPinId, FunctionSio, Pin, PullNone, PullUp, SioInput, SioOutput};
 use rp2040_hal::pwm::{FreeRunning, Pwm6, Pwm7, Slice};
 
 use crate::facts::{BACKLIGHT_HZ, SYS_HZ};
@@ -73,46 +74,16 @@ impl Buttons {
     }
 }
 
-type Wire<I> = Pin<I, FunctionSio<SioInput>, PullUp>;
+/// A contact's wire, with the model value that it says when it is closed.
+type Contact = (Value, Pin<DynPinId, FunctionSio<SioInput>, PullUp>);
 
-/// The wires of the body, each closed to ground. Bouncing is the application's business.
-pub struct BodyWires {
-    pub(crate) front_door: Wire<Gpio4>,
-    pub(crate) rear_door: Wire<Gpio5>,
-    pub(crate) seat_empty: Wire<Gpio6>,
-    pub(crate) parking_brake: Wire<Gpio7>,
-    pub(crate) smoke: Wire<Gpio14>,
-    pub(crate) turn_left: Wire<Gpio21>,
-    pub(crate) turn_right: Wire<Gpio22>,
-}
-
-/// Which wires of the body are closed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Body {
-    /// The front door is open.
-    pub front_door: bool,
-    /// The rear door is open.
-    pub rear_door: bool,
-    /// Nobody sits on the driver's seat.
-    pub seat_empty: bool,
-    /// The parking brake is set.
-    pub parking_brake: bool,
-    /// The smoke detector gives alarm.
-    pub smoke: bool,
-    /// Left direction indicator.
-    pub turn_left: bool,
-    /// Right direction indicator.
-    pub turn_right: bool,
-}
+/// The contacts of the body, each to ground. Bouncing is the application's business.
+pub struct BodyWires(pub(crate) [Contact; crate::CONTACTS]);
 
 impl BodyWires {
-    /// Returns which wires are closed now.
-    pub fn closed(&mut self) -> Body {
-        let (Ok(front_door), Ok(rear_door)) = (self.front_door.is_low(), self.rear_door.is_low());
-        let (Ok(seat_empty), Ok(parking_brake)) = (self.seat_empty.is_low(), self.parking_brake.is_low());
-        let (Ok(turn_left), Ok(turn_right)) = (self.turn_left.is_low(), self.turn_right.is_low());
-        let Ok(smoke) = self.smoke.is_low();
-        Body { front_door, rear_door, seat_empty, parking_brake, smoke, turn_left, turn_right }
+    /// Returns the values of the contacts that are closed now.
+    pub fn closed(&mut self) -> impl Iterator<Item = Value> {
+        self.0.iter_mut().filter_map(|(value, pin)| pin.is_low().is_ok_and(|low| low).then_some(*value))
     }
 }
 

@@ -7,7 +7,7 @@ mod table;
 
 pub use table::{Place, Telltale, TelltaleColour, Telltales};
 
-use crate::reception::Facts;
+use crate::facts::Facts;
 use protocol_core::model::Shown;
 use table::{Condition, ROWS, Silence, When};
 

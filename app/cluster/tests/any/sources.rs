@@ -251,7 +251,7 @@ fn a_full_set_takes_a_worse_fault_for_a_mild_one_and_no_further_mild_one() {
     drive.run(1_000);
     assert_eq!(active(&drive), full, "the same faults since the same time: none gives way to its like");
     assert!(!drive.texts().contains(&"ABS fault"));
-    drive.inputs.smoke = true;
+    drive.inputs.contacts.set(V::BodySmoke, true);
     drive.run(CYCLE);
     assert!(drive.faults().contains(&("Smoke alarm", None, Stop)));
     assert_eq!(active(&drive).len(), full.len(), "one made room");

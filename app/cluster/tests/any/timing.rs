@@ -127,7 +127,7 @@ fn bus_r080_when_everything_is_silent_nothing_is_said_of_limping() {
 fn bus_r133_bus_23_the_loss_of_the_air_conditioning_is_told_only_if_wanted() {
     for (wanted, texts) in [(false, vec![]), (true, vec!["Air conditioning link lost"])] {
         let mut drive = Drive::new();
-        drive.cluster.configure(Options { hvac_alarm: wanted });
+        drive.cluster = Cluster::with_options(&PROBE, Options { hvac_alarm: wanted });
         drive.keep(Node::Hvac, V::HvacOn, 1);
         drive.run(CYCLE);
         drive.hush(Node::Hvac);
@@ -145,7 +145,7 @@ fn bus_r133_bus_23_the_loss_of_the_air_conditioning_is_told_only_if_wanted() {
 #[test]
 fn bus_r133_an_air_conditioning_that_is_off_is_not_missed() {
     let mut drive = Drive::new();
-    drive.cluster.configure(Options { hvac_alarm: true });
+    drive.cluster = Cluster::with_options(&PROBE, Options { hvac_alarm: true });
     drive.keep(Node::Hvac, V::HvacOn, 0);
     drive.run(CYCLE);
     drive.hush(Node::Hvac);
@@ -218,31 +218,9 @@ fn a_stop_fault_sounds_above_the_buzzer_and_the_buzzer_above_milder_faults() {
 }
 
 #[test]
-fn the_last_sign_of_life_of_every_node_is_its_own() {
-    for (place, node) in NODES.into_iter().enumerate() {
-        let mut drive = Drive::new();
-        let before = NODES.map(|node| drive.cluster.counters().last_seen(node));
-        let now = drive.now.after(5);
-        let frame = CanFrame::full(PROBE.rx[place].id, [V::BodyHorn as u8, 0, 0, 0, 0, 0, 0, 0]);
-        drive.cluster.receive(&frame, now);
-        for (other, before) in NODES.into_iter().zip(before) {
-            let expected = if other == node { Some(now) } else { before };
-            assert_eq!(drive.cluster.counters().last_seen(other), expected, "{node:?}, {other:?}");
-        }
-        drive.cluster.receive(&frame, Millis(1));
-        assert_eq!(
-            drive.cluster.counters().last_seen(node),
-            Some(now),
-            "a clock that steps back takes nothing back"
-        );
-    }
-}
-
-#[test]
 fn another_cluster_on_the_bus_is_a_node_like_any_other() {
     let rx: &'static [RxMessage] = Box::leak(Box::new([RxMessage { node: Node::Cluster, ..PROBE.rx[0] }]));
     let mut cluster = Cluster::new(Box::leak(Box::new(Vehicle { rx, ..PROBE })));
     cluster.receive(&CanFrame::full(rx[0].id, [V::BodyHorn as u8, 0, 0, 0, 1, 0, 0, 0]), Millis(7));
-    assert_eq!(cluster.counters().last_seen(Node::Cluster), Some(Millis(7)));
     assert_eq!(cluster.shown(V::BodyHorn, Millis(8)), Shown::Value(1));
 }

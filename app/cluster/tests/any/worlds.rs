@@ -178,7 +178,7 @@ impl World {
             }
             Smoke(smoke) => {
                 said.smoke = smoke;
-                drive.inputs.smoke = smoke;
+                drive.inputs.contacts.set(V::BodySmoke, smoke);
             }
             Fire(burns) => {
                 said.fire |= burns;

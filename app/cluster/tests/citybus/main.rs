@@ -5,7 +5,7 @@
 mod pages;
 
 use cluster::view::ActiveFault;
-use cluster::{Button, Cluster, Inputs, Key, Received, Sound, Telltale, View};
+use cluster::{Button, Cluster, Contacts, Inputs, Key, Received, Sound, Telltale, View};
 use protocol_core::generated::citybus::VEHICLE;
 use protocol_core::model::{Gear, Severity, Shown, Value};
 use protocol_core::{CanFrame, CanId, Millis};
@@ -332,17 +332,19 @@ fn bus_r127_and_bus_94_meter1_says_what_the_wires_say() {
     let mut ride = Ride::new();
     ride.inputs = Inputs {
         key: Key::On,
-        seat_empty: true,
-        parking_brake: true,
+        contacts: Contacts::closed([
+            Value::BodySeatEmpty,
+            Value::BodyParkingBrake,
+            Value::BodyDoorFront,
+            Value::BodyTurnLeft,
+            Value::BodyLowBeam,
+            Value::BodySideLamp,
+        ]),
         supply_decivolts: Some(246),
         air_front_centimpa: Some(80),
         air_rear_centimpa: None,
         ..Inputs::default()
     };
-    ride.inputs.doors.front = true;
-    ride.inputs.lights.turn_left = true;
-    ride.inputs.lights.low_beam = true;
-    ride.inputs.lights.side = true;
     let first = ride.sent(METER1);
     // 24.6 V at 0.2 V; key ON = 01, parking brake, entry door; 0.80 MPa, no sensor; left turn and dipped beam; side
     // lamps.
@@ -354,9 +356,9 @@ fn bus_r127_and_bus_94_meter1_says_what_the_wires_say() {
 #[test]
 fn bus_r129_meter1_tells_that_the_driver_has_left_in_its_next_frame() {
     let mut ride = Ride::new();
-    ride.inputs.seat_empty = true;
+    ride.inputs.contacts.set(Value::BodySeatEmpty, true);
     let mut seen = Vec::new();
-    for life in 0..200 {
+    for life in 0..=200 {
         let gear = if life < 50 { 0b0100 } else { 0b0001 };
         ride.send(VCU1, [gear << 2, 0, 0, 0, 0, 0xFF, 0, life]);
         while let Some(frame) = ride.cluster.transmit(ride.now) {

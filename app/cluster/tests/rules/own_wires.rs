@@ -1,7 +1,7 @@
 //! Inputs and decisions of the cluster itself.
 
 use crate::toy::*;
-use cluster::{Buttons, Inputs, Key};
+use cluster::{Buttons, Contacts, Inputs, Key};
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Shown, Value};
 
@@ -14,7 +14,7 @@ fn own_wires_are_values_that_do_not_go_stale() {
     let mut drive = Drive::silent();
     drive.inputs = Inputs {
         key: Key::Start,
-        horn: true,
+        contacts: Contacts::closed([Value::BodyHorn]),
         supply_decivolts: Some(274),
         air_rear_centimpa: Some(81),
         ..Inputs::default()
@@ -29,36 +29,13 @@ fn own_wires_are_values_that_do_not_go_stale() {
 }
 
 #[test]
-fn every_wire_is_filed_under_its_own_value() {
-    type Wire = fn(&mut Inputs);
-    let wires: &[(Wire, Value)] = &[
-        (|i| i.doors.front = true, Value::BodyDoorFront),
-        (|i| i.doors.middle = true, Value::BodyDoorMiddle),
-        (|i| i.doors.rear = true, Value::BodyDoorRear),
-        (|i| i.doors.hatch = true, Value::BodyDoorHatch),
-        (|i| i.lights.low_beam = true, Value::BodyLowBeam),
-        (|i| i.lights.high_beam = true, Value::BodyHighBeam),
-        (|i| i.lights.brake = true, Value::BodyBrakeLamp),
-        (|i| i.lights.turn_left = true, Value::BodyTurnLeft),
-        (|i| i.lights.turn_right = true, Value::BodyTurnRight),
-        (|i| i.lights.hazard = true, Value::BodyHazard),
-        (|i| i.lights.front_fog = true, Value::BodyFrontFog),
-        (|i| i.lights.rear_fog = true, Value::BodyRearFog),
-        (|i| i.lights.side = true, Value::BodySideLamp),
-        (|i| i.parking_brake = true, Value::BodyParkingBrake),
-        (|i| i.smoke = true, Value::BodySmoke),
-        (|i| i.horn = true, Value::BodyHorn),
-        (|i| i.seat_empty = true, Value::BodySeatEmpty),
-    ];
-    for (set, value) in wires {
+fn every_contact_is_filed_under_its_own_value() {
+    for value in Contacts::ALL {
         let mut drive = Drive::silent();
-        set(&mut drive.inputs);
+        drive.inputs.contacts.set(*value, true);
         drive.run(TICK);
-        let on: Vec<Value> = wires
-            .iter()
-            .map(|wire| wire.1)
-            .filter(|&value| shown(&drive, value) == Shown::Value(1))
-            .collect();
+        let on: Vec<Value> =
+            Contacts::ALL.iter().copied().filter(|&value| shown(&drive, value) == Shown::Value(1)).collect();
         assert_eq!(on, [*value]);
     }
 }
@@ -70,7 +47,7 @@ fn bus_r129_driver_left_needs_an_empty_seat_and_a_driving_gear() {
     for (gear, left) in gears {
         for seat_empty in [false, true] {
             let mut drive = Drive::healthy();
-            drive.inputs.seat_empty = seat_empty;
+            drive.inputs.contacts.set(Value::BodySeatEmpty, seat_empty);
             drive.gear_and_speed(gear, 0);
             drive.run(CYCLE);
             let expected = if seat_empty { left } else { 0 };
@@ -82,7 +59,7 @@ fn bus_r129_driver_left_needs_an_empty_seat_and_a_driving_gear() {
 #[test]
 fn bus_r129_without_gear_information_the_driver_has_not_left() {
     let mut drive = Drive::healthy();
-    drive.inputs.seat_empty = true;
+    drive.inputs.contacts.set(Value::BodySeatEmpty, true);
     drive.gear_and_speed(1, 0);
     drive.run(CYCLE);
     drive.stop(DRIVE);

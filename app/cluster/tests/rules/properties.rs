@@ -47,8 +47,9 @@ fn observe(events: &[Event], strangers: bool) -> Vec<String> {
                 }
             }
             Event::Tick(bits) => {
-                let mut inputs =
-                    Inputs { seat_empty: bits & 1 != 0, smoke: bits & 2 != 0, ..Inputs::default() };
+                let mut inputs = Inputs::default();
+                inputs.contacts.set(Value::BodySeatEmpty, bits & 1 != 0);
+                inputs.contacts.set(Value::BodySmoke, bits & 2 != 0);
                 inputs.buttons.next = bits & 4 != 0;
                 inputs.buttons.menu = bits & 8 != 0;
                 now = now.after(10);

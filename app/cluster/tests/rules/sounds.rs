@@ -2,6 +2,7 @@
 
 use crate::toy::*;
 use cluster::{Button, Sound};
+use protocol_core::Value;
 use protocol_core::{Millis, Severity};
 
 const D: u8 = 1;
@@ -119,11 +120,11 @@ fn jl_r013_a_stop_fault_of_any_of_three_nodes_is_on_the_screen_with_a_sound() {
 #[test]
 fn smoke_stops_the_vehicle_with_a_sound() {
     let mut drive = Drive::healthy();
-    drive.inputs.smoke = true;
+    drive.inputs.contacts.set(Value::BodySmoke, true);
     drive.run(TICK);
     assert_eq!(drive.line(), Some(("Smoke alarm", None)));
     assert_eq!(drive.sound(), Some(Sound::Stop));
-    drive.inputs.smoke = false;
+    drive.inputs.contacts.set(Value::BodySmoke, false);
     drive.run(TICK);
     assert_eq!((drive.line(), drive.sound()), (None, None));
 }

@@ -3,6 +3,7 @@
 use crate::toy::*;
 use cluster::{Inputs, Place, Telltale, TelltaleColour, Telltales};
 use protocol_core::Millis;
+use protocol_core::Value;
 
 fn lit(drive: &Drive) -> Vec<Telltale> {
     let telltales = drive.view().telltales;
@@ -166,17 +167,17 @@ fn an_open_main_contactor_lights_battery_cut() {
 fn every_own_wire_has_its_lamp() {
     type Wire = fn(&mut Inputs);
     let wires: &[(Wire, Telltale)] = &[
-        (|i| i.lights.turn_left = true, Telltale::TurnLeft),
-        (|i| i.lights.turn_right = true, Telltale::TurnRight),
-        (|i| i.lights.low_beam = true, Telltale::LowBeam),
-        (|i| i.lights.high_beam = true, Telltale::HighBeam),
-        (|i| i.lights.front_fog = true, Telltale::FrontFog),
-        (|i| i.lights.rear_fog = true, Telltale::RearFog),
-        (|i| i.parking_brake = true, Telltale::ParkingBrake),
-        (|i| i.doors.front = true, Telltale::Door),
-        (|i| i.doors.middle = true, Telltale::Door),
-        (|i| i.doors.rear = true, Telltale::Door),
-        (|i| i.doors.hatch = true, Telltale::Door),
+        (|i| i.contacts.set(Value::BodyTurnLeft, true), Telltale::TurnLeft),
+        (|i| i.contacts.set(Value::BodyTurnRight, true), Telltale::TurnRight),
+        (|i| i.contacts.set(Value::BodyLowBeam, true), Telltale::LowBeam),
+        (|i| i.contacts.set(Value::BodyHighBeam, true), Telltale::HighBeam),
+        (|i| i.contacts.set(Value::BodyFrontFog, true), Telltale::FrontFog),
+        (|i| i.contacts.set(Value::BodyRearFog, true), Telltale::RearFog),
+        (|i| i.contacts.set(Value::BodyParkingBrake, true), Telltale::ParkingBrake),
+        (|i| i.contacts.set(Value::BodyDoorFront, true), Telltale::Door),
+        (|i| i.contacts.set(Value::BodyDoorMiddle, true), Telltale::Door),
+        (|i| i.contacts.set(Value::BodyDoorRear, true), Telltale::Door),
+        (|i| i.contacts.set(Value::BodyDoorHatch, true), Telltale::Door),
         (|i| i.air_front_centimpa = Some(39), Telltale::AirPressure),
         (|i| i.air_rear_centimpa = Some(0), Telltale::AirPressure),
     ];
@@ -196,7 +197,7 @@ fn every_own_wire_has_its_lamp() {
 #[test]
 fn bus_39_the_parking_brake_lamp_follows_the_own_wire() {
     let mut drive = Drive::healthy();
-    drive.inputs.parking_brake = true;
+    drive.inputs.contacts.set(Value::BodyParkingBrake, true);
     for id in [DRIVE, PACK, FAULTS, MOTOR, PARTS] {
         drive.stop(id);
     }

@@ -1,8 +1,9 @@
 //! What the cluster sends: cycle, phase, life counter, no bursts.
 
 use crate::toy::*;
-use cluster::{Cluster, Inputs, Key};
+use cluster::{Cluster, Contacts, Inputs, Key};
 use proptest::prelude::*;
+use protocol_core::Value;
 use protocol_core::{CanFrame, CanId, Millis};
 
 /// Everything that is due now.
@@ -79,12 +80,11 @@ fn what_is_sent_is_what_the_wires_say() {
     let mut drive = Drive::healthy();
     drive.inputs = Inputs {
         key: Key::On,
-        seat_empty: true,
+        contacts: Contacts::closed([Value::BodySeatEmpty, Value::BodyTurnLeft]),
         air_front_centimpa: None,
         supply_decivolts: Some(240),
         ..Inputs::default()
     };
-    drive.inputs.lights.turn_left = true;
     drive.gear_and_speed(1, 5);
     let sent = sent(&mut drive, 2_000);
     let (_, own) = sent.iter().rev().find(|(_, frame)| frame.id == OWN).expect("one a second");
@@ -94,8 +94,8 @@ fn what_is_sent_is_what_the_wires_say() {
 #[test]
 fn bus_r128_a_two_door_bus_sends_0_for_its_middle_door() {
     let mut drive = Drive::healthy();
-    drive.inputs.doors.front = true;
-    drive.inputs.doors.rear = true;
+    drive.inputs.contacts.set(Value::BodyDoorFront, true);
+    drive.inputs.contacts.set(Value::BodyDoorRear, true);
     let sent = sent(&mut drive, 1_000);
     let (_, own) = sent.iter().find(|(_, frame)| frame.id == OWN).expect("one a second");
     assert_eq!(own.bytes()[3], 0);

@@ -1,18 +1,16 @@
-//! Every 10 ms: frames in, the cluster's logic, frames, sounds and views out.
+//! Every 10 ms: frames and inputs to the instrument, frames, sounds and views out of it.
 //!
 //! A view goes out as soon as it looks different from the last one. Feeds the watchdog.
 
-use cluster::{Conditions, Inputs, View};
-use heapless::Deque;
+use cluster::View;
 use pico::{Buzzer, Led, now_us};
 use protocol_core::{CanFrame, Millis};
-use rtic::Mutex;
+use rtic::mutex_prelude::*;
 use rtic_monotonics::Timebase;
 use rtic_monotonics::fugit::ExtU64;
 
 use crate::app::{Mono, tick::Context};
 use crate::can_node::Care;
-use crate::conditions;
 use crate::queue::{FrameReader, Stamped};
 use crate::tasks::draw;
 use crate::telemetry;
@@ -25,8 +23,6 @@ const LOOK_TICKS: u32 = 5;
 const SUPERVISE_TICKS: u32 = 10;
 /// Ticks that `draw` may take for one picture before the watchdog is no longer fed: 500 ms, twice the longest.
 const DRAW_LIMIT_TICKS: u32 = 50;
-/// Frames that wait for the controller's one transmit buffer.
-const WAITING: usize = 8;
 /// Frames taken out of the queue in one tick: what it holds.
 const FRAMES_PER_TICK: usize = 128;
 
@@ -53,40 +49,31 @@ impl Watch {
     }
 }
 
-/// Runs the cluster, for ever.
-pub async fn tick(mut cx: Context<'_>) {
+/// Runs the instrument, for ever.
+pub async fn tick(cx: Context<'_>) {
     let local = cx.local;
-    let mut waiting = Deque::<CanFrame, WAITING>::new();
+    let (mut can, mut instrument) = (cx.shared.can, cx.shared.instrument);
+    instrument.lock(|instrument| instrument.restarted(telemetry::restart(cx.shared.boot)));
     let mut next = Mono::now();
     let mut ticks: u32 = 0;
-    let mut conditions = Conditions::default();
     // The view that went out last.
     let mut last = View::default();
     loop {
         let now = Millis(now_us() / 1_000);
-        let inputs = Inputs { conditions, ..local.wires.sample() };
-        cx.shared.cluster.lock(|cluster| {
+        let inputs = local.wires.sample();
+        instrument.lock(|instrument| {
             receive(local.frames_out, |frame, at| {
-                local.recognition.hear(cluster, frame, at);
+                instrument.hear(frame, at);
             });
-            cluster.tick(&inputs, now);
-            while let Some(frame) = cluster.transmit(now) {
-                // A full queue means that the bus takes nothing: the oldest is worth least.
-                if waiting.is_full() {
-                    waiting.pop_front();
-                }
-                let _ = waiting.push_back(frame);
-            }
-            sound(local.buzzer, cluster.chime(now));
+            instrument.tick(&inputs, now);
+            sound(local.buzzer, instrument.chime(now));
         });
 
         // The second tick is the first of these: by then the panel has been woken and no longer waits for the CPU.
         let supervise = ticks % SUPERVISE_TICKS == 1;
-        let care = cx.shared.can.lock(|can| {
+        let care = (&mut can, &mut instrument).lock(|can, instrument| {
             can.arm();
-            if waiting.front().is_some_and(|frame| can.transmit(frame, now.0)) {
-                waiting.pop_front();
-            }
+            instrument.offer(|frame| can.transmit(frame, now.0));
             if supervise { can.supervise(now.0) } else { Care::Nothing }
         });
         match care {
@@ -94,22 +81,23 @@ pub async fn tick(mut cx: Context<'_>) {
             Care::Poll => rtic::pend(pico::pac::Interrupt::IO_IRQ_BANK0),
             Care::Attempt(attempt) => {
                 let outcome = attempt.run();
-                cx.shared.can.lock(|can| can.finish(outcome));
+                can.lock(|can| can.finish(outcome));
             }
         }
-        if let Care::Attempt(attempt) = cx.shared.can.lock(|can| local.recognition.listen(can, now)) {
+        let care = (&mut can, &mut instrument).lock(|can, instrument| {
+            let access = instrument.look(|| can.take_message_error(), now);
+            can.follow(access)
+        });
+        if let Care::Attempt(attempt) = care {
             let outcome = attempt.run();
-            cx.shared.can.lock(|can| can.finish(outcome));
+            can.lock(|can| can.finish(outcome));
         }
 
         let is_due = ticks.is_multiple_of(LOOK_TICKS);
         if is_due {
-            let status = cx.shared.can.lock(|can| can.status());
-            local.wires.look(telemetry::controller(status));
-            let answers = status.controller.is_some();
-            conditions = conditions::gather(answers, local.recognition, cx.shared.boot, now);
+            local.wires.look(telemetry::controller(can.lock(|can| can.status())));
         }
-        let view = cx.shared.cluster.lock(|cluster| cluster.view(now));
+        let view = instrument.lock(|instrument| instrument.view(now));
         if is_due || !ui::looks_same(&last, &view) {
             show_life(local.led, view.heartbeat);
             local.views_in.write(view);

@@ -6,8 +6,12 @@
 //! Not supported: auxiliary consumption on its own, temperature, gradients.
 //! Source: BUS-118 (1/256 km/h), BUS-R063 and JL-R018 and C5-R003 (positive = out of the battery).
 
-use crate::odometer::{LONGEST_STEP_MS, PER_KM};
+pub(crate) mod charge;
+pub(crate) mod odometer;
+
+use crate::view::page::Trip;
 use crate::view::{Charging, Journey, Plug, Range};
+use odometer::{LONGEST_STEP_MS, PER_KM};
 use protocol_core::Millis;
 use protocol_core::model::{Shown, Value};
 use protocol_core::states::Charge;
@@ -19,15 +23,6 @@ const SLOW: i32 = 5 * 256;
 /// Distance from which an average is shown, and from which one is good enough for a range.
 const SHORTEST: u64 = PER_KM / 10;
 const SHORTEST_FOR_RANGE: u64 = PER_KM;
-
-/// A trip that the driver can reset.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Trip {
-    /// Trip A.
-    A,
-    /// Trip B.
-    B,
-}
 
 /// Sums over a distance.
 #[derive(Clone, Copy)]

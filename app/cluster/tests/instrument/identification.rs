@@ -1,6 +1,6 @@
-//! Recognition of the vehicle and of its bit rate, with the identifiers of the real tables.
+//! Recognition of the vehicle, with the identifiers of the real tables.
 
-use cluster::detect::{DISTINCT, Detector, Dial, Found, KEPT, Sureness};
+use cluster::instrument::identification::{DISTINCT, Detector, Found, KEPT, Sureness};
 use cluster::own::Search;
 use cluster::view::Text;
 use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES, c5ev, citybus, example, jiulong};
@@ -274,32 +274,4 @@ fn of_too_many_frames_the_newest_are_kept() {
     }
     let times: Vec<u64> = detector.take_kept().map(|(_, at)| at.0).collect();
     assert_eq!(times, (KEPT as u64 / 2..3 * KEPT as u64 / 2).collect::<Vec<_>>());
-}
-
-#[test]
-fn the_dial_waits_on_a_silent_bus_and_turns_on_errors() {
-    let mut dial = Dial::new(VEHICLES);
-    assert_eq!(dial.bitrate(), 250_000);
-    assert!((0..100_000).step_by(10).all(|now| dial.listen(false, false, Millis(now)).is_none()));
-    assert_eq!(dial.listen(false, true, Millis(100_000)), Some(500_000));
-    assert_eq!(dial.listen(false, true, Millis(100_010)), None, "it gives each rate a little time");
-    assert_eq!(dial.listen(false, true, Millis(100_020)), Some(250_000));
-}
-
-#[test]
-fn a_rate_with_frames_survives_errors_and_is_left_when_only_errors_remain() {
-    let mut dial = Dial::new(VEHICLES);
-    for now in (0..5_000).step_by(10) {
-        assert_eq!(dial.listen(now % 300 == 0, true, Millis(now)), None);
-    }
-    let left = (5_000..6_000).step_by(10).find(|&now| dial.listen(false, true, Millis(now)).is_some());
-    assert_eq!(left, Some(5_300), "500 ms after the last frame, at 4800");
-}
-
-#[test]
-fn where_all_vehicles_have_one_rate_errors_change_nothing() {
-    static SAME_RATE: [&Vehicle; 2] = [&citybus::VEHICLE, &jiulong::VEHICLE];
-    let mut dial = Dial::new(&SAME_RATE);
-    assert!((0..10_000).step_by(10).all(|now| dial.listen(false, true, Millis(now)).is_none()));
-    assert_eq!(dial.bitrate(), 250_000);
 }

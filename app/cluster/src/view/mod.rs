@@ -2,9 +2,11 @@
 //!
 //! The cluster fills a [`View`], the UI draws it. Two equal views give equal pixels.
 
+pub mod page;
+
 use crate::history::Source;
-use crate::page::{CELLS, Page, Part, ROWS};
 use crate::telltales::Telltales;
+use page::{CELLS, Page, Part, ROWS};
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Severity, Shown};
 
@@ -102,7 +104,7 @@ pub struct List {
 pub struct Sheet {
     /// Which one.
     pub part: Part,
-    /// Its values, in the order of [`Part::values`] or of [`Count`](crate::page::Count); the rest is never seen.
+    /// Its values, in the order of [`Part::values`] or of [`Count`](page::Count); the rest is never seen.
     pub cells: [Shown<i32>; CELLS],
     /// This part's number among those that the vehicle has, from 1.
     pub position: u8,

@@ -3,7 +3,7 @@
 //! A push is told at once, for what must not wait; whether it was short or long shows later. A push that has been used
 //! is neither.
 
-use crate::debounce::Debounce;
+use super::debounce::Debounce;
 use protocol_core::Millis;
 
 /// How long a button is held down for a long push, in milliseconds.
@@ -23,8 +23,8 @@ pub(crate) enum Push {
 /// One button.
 #[derive(Clone, Copy)]
 pub(crate) struct Press {
-    down: Debounce,
-    up: Debounce,
+    wire: Debounce,
+    is_down: bool,
     /// When the push began that is neither short nor long yet.
     since: Option<Millis>,
 }
@@ -32,19 +32,18 @@ pub(crate) struct Press {
 impl Press {
     /// Returns a button that is up; one held down since power-on counts once.
     pub(crate) const fn new() -> Self {
-        Self { down: Debounce::new(), up: Debounce::new(), since: None }
+        Self { wire: Debounce::new(0), is_down: false, since: None }
     }
 
     /// Takes one sample of the wire.
     pub(crate) fn sample(&mut self, down: bool, now: Millis) -> Option<Push> {
-        // Both are fed with every sample: each is a level of its own.
-        let (has_gone_down, has_come_up) = (self.down.pushed(down), self.up.pushed(!down));
-        if has_gone_down {
+        let was_down = core::mem::replace(&mut self.is_down, self.wire.sample(down.into()) != 0);
+        if self.is_down && !was_down {
             self.since = Some(now);
             return Some(Push::Begins);
         }
         let since = self.since?;
-        let push = if has_come_up {
+        let push = if !self.is_down {
             Push::Short
         } else if now.since(since) >= LONG_MS {
             Push::Long

@@ -1,16 +1,23 @@
-//! The timing machines: who is due when.
+//! The timing machines: who is due when, file by file.
 //!
-//! Owns one of each that has a memory and feeds them; each is a module of its own with its rules.
+//! Owns one of each that has a memory and feeds them; the rules are in the files.
 
-use crate::buzzer::Buzzer;
-use crate::charger::Charger;
-use crate::hv_off::HvOff;
+mod buzzer;
+mod charger;
+pub(crate) mod hv_off;
+pub(crate) mod hvac;
+pub(crate) mod limp;
+pub(crate) mod reverse;
+
 use crate::reception::Reception;
+use buzzer::Buzzer;
+use charger::Charger;
+use hv_off::HvOff;
 use protocol_core::Millis;
 use protocol_core::model::Value;
 use protocol_core::vehicle::{Node, Vehicle};
 
-/// What a workshop may switch.
+/// What whoever builds the cluster may switch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Tells that a running air conditioning has lost its link (BUS-23: off by default).
@@ -27,8 +34,7 @@ pub(crate) struct Timers {
 }
 
 impl Timers {
-    pub(crate) const fn new() -> Self {
-        let options = Options { hvac_alarm: false };
+    pub(crate) const fn new(options: Options) -> Self {
         Self { options, hv_off: HvOff::new(), charger: Charger::new(), buzzer: Buzzer::new() }
     }
 
