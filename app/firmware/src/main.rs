@@ -66,7 +66,7 @@ mod app {
     use crate::can_node::CanNode;
     use crate::config;
     use crate::queue::{FrameQueue, FrameReader, FrameWriter};
-    use crate::tasks::{Tile, Watch, draw, idle, link_done, panel_done, report, tick};
+    use crate::tasks::{TileBuffer, Watch, draw, idle, link_done, panel_done, report, tick};
     use crate::wires::Wires;
 
     rp2040_timer_monotonic!(Mono);
@@ -90,7 +90,7 @@ mod app {
         tile_done_in: SignalWriter<'static, ()>,
         tile_done_out: SignalReader<'static, ()>,
         panel: PanelPort,
-        tiles: [Tile; 2],
+        tiles: [TileBuffer; 2],
         backlight: Backlight,
         wires: Wires,
         buzzer: Buzzer,

@@ -70,7 +70,7 @@ pub(crate) const BAND_TEXT_TOP: u16 = 222;
 /// Stripe in the colour of the worst severity.
 pub(crate) const STRIPE: Area = Area::new(0, 213, crate::WIDTH, 3);
 
-/// Telltales stand in two rows of twelve cells; READY takes two.
+/// Telltales stand in two rows of twelve places; READY takes two.
 const TELLTALE_CELL: u16 = 26;
 const TELLTALE_LEFT: u16 = 4;
 const TELLTALE_ROWS: [u16; 2] = [2, 189];
@@ -142,8 +142,8 @@ pub(crate) struct Field {
     /// Top of the figures.
     pub(crate) top: u16,
     pub(crate) font: &'static Font,
-    /// Characters, sign and decimal point included; at most [`FIELD_CELLS`].
-    pub(crate) cells: u8,
+    /// Characters, sign and decimal point included; at most [`MOST_FIGURES`].
+    pub(crate) figures: u8,
     /// Figures behind the decimal point.
     pub(crate) decimals: u8,
     /// Takes the number out of the view, in units of the last figure.
@@ -151,26 +151,26 @@ pub(crate) struct Field {
 }
 
 /// Most characters of a field.
-pub(crate) const FIELD_CELLS: usize = 8;
+pub(crate) const MOST_FIGURES: usize = 8;
 
 impl Field {
-    /// Returns the place of the character `slot`, counted from the right.
-    pub(crate) const fn cell(&self, slot: u16) -> Area {
+    /// Returns the place of the character `figure`, counted from the right.
+    pub(crate) const fn area_of(&self, figure: u16) -> Area {
         let (digit, decimals) = (self.font.digit as u16, self.decimals as u16);
         let point = self.font.point as u16;
-        let (from_right, width) = if decimals == 0 || slot < decimals {
-            ((slot + 1) * digit, digit)
-        } else if slot == decimals {
-            (slot * digit + point, point)
+        let (from_right, width) = if decimals == 0 || figure < decimals {
+            ((figure + 1) * digit, digit)
+        } else if figure == decimals {
+            (figure * digit + point, point)
         } else {
-            (slot * digit + point, digit)
+            (figure * digit + point, digit)
         };
         Area::new(self.right - from_right, self.top - 1, width, self.font.cap as u16 + 2)
     }
 
     /// Returns the place of the whole field.
     pub(crate) const fn area(&self) -> Area {
-        let first = self.cell(self.cells as u16 - 1);
+        let first = self.area_of(self.figures as u16 - 1);
         Area::new(first.x, first.y, self.right - first.x, first.height)
     }
 }
@@ -187,7 +187,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 60,
         top: 30,
         font: &fonts::FIGURE,
-        cells: 3,
+        figures: 3,
         decimals: 0,
         number: |view| view.soc_percent.map(i32::from),
     },
@@ -195,7 +195,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 294,
         top: 30,
         font: &fonts::FIGURE,
-        cells: 4,
+        figures: 4,
         decimals: 0,
         number: |view| view.power_hectowatts.map(|power| rounded(power, 10)),
     },
@@ -203,7 +203,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 48,
         top: 86,
         font: &fonts::VALUE,
-        cells: 5,
+        figures: 5,
         decimals: 1,
         number: |view| view.pack_decivolts,
     },
@@ -211,7 +211,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 48,
         top: 110,
         font: &fonts::VALUE,
-        cells: 6,
+        figures: 6,
         decimals: 1,
         number: |view| view.pack_deciamps,
     },
@@ -219,7 +219,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 300,
         top: 95,
         font: &fonts::VALUE,
-        cells: 3,
+        figures: 3,
         decimals: 0,
         number: |view| view.motor_celsius,
     },
@@ -227,16 +227,23 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 300,
         top: 131,
         font: &fonts::VALUE,
-        cells: 3,
+        figures: 3,
         decimals: 0,
         number: |view| view.inverter_celsius,
     },
-    Field { right: 172, top: 173, font: &fonts::VALUE, cells: 6, decimals: 0, number: |view| view.motor_rpm },
+    Field {
+        right: 172,
+        top: 173,
+        font: &fonts::VALUE,
+        figures: 6,
+        decimals: 0,
+        number: |view| view.motor_rpm,
+    },
     Field {
         right: 38,
         top: 162,
         font: &fonts::SMALL,
-        cells: 4,
+        figures: 4,
         decimals: 2,
         number: |view| view.cell_millivolts.0.map(|value| rounded(value, 10)),
     },
@@ -244,7 +251,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 38,
         top: 176,
         font: &fonts::SMALL,
-        cells: 4,
+        figures: 4,
         decimals: 2,
         number: |view| view.cell_millivolts.1.map(|value| rounded(value, 10)),
     },
@@ -252,7 +259,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 61,
         top: 162,
         font: &fonts::SMALL,
-        cells: 3,
+        figures: 3,
         decimals: 0,
         number: |view| view.cell_celsius.0,
     },
@@ -260,7 +267,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 61,
         top: 176,
         font: &fonts::SMALL,
-        cells: 3,
+        figures: 3,
         decimals: 0,
         number: |view| view.cell_celsius.1,
     },
@@ -268,7 +275,7 @@ pub(crate) static FIELDS: [Field; 12] = [
         right: 295,
         top: 176,
         font: &fonts::SMALL,
-        cells: 8,
+        figures: 8,
         decimals: 1,
         number: |view| Shown::Value(view.odometer_hectometres.min(i32::MAX as u32) as i32),
     },
@@ -316,7 +323,7 @@ pub(crate) static LABELS: [Label; 15] = [
     label(314, 177, Align::Right, words::KM),
 ];
 
-/// What is painted, beside the cells of a page.
+/// What is painted, beside the elements of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Widget {
     Band,
@@ -400,7 +407,7 @@ mod tests {
         for host in cells() {
             assert_eq!(cells().filter(|other| other.place() == host.place()).count(), 1, "{host:?}");
             let guests = Telltale::ALL.iter().filter(|it| it.place() == Place::With(*host));
-            assert!(guests.count() <= 1, "three take turns in the cell of {host:?}");
+            assert!(guests.count() <= 1, "three take turns in the place of {host:?}");
         }
     }
 
@@ -410,14 +417,14 @@ mod tests {
             let mut places: std::vec::Vec<_> =
                 WIDGETS.iter().map(|&(widget, place)| (Some(widget), place)).collect();
             places.extend(LABELS.iter().map(|label| (None, label_area(label, language))));
-            places.extend(crate::sheet::Kind::Main.slots().iter().map(|slot| (None, slot.area)));
+            places.extend(crate::pages::Kind::Main.places().iter().map(|place| (None, place.area)));
             for (index, (widget, place)) in places.iter().enumerate() {
                 assert!(
                     place.right() <= crate::WIDTH && place.bottom() <= crate::HEIGHT,
                     "{widget:?} {place:?}"
                 );
                 for (other, there) in &places[index + 1..] {
-                    // The dial is a ring: its own test is below. Two telltales may share a cell: they take turns.
+                    // The dial is a ring: its own test is below. Two telltales may share a place: they take turns.
                     let take_turns = match (widget, other) {
                         (Some(Widget::Telltale(one)), Some(Widget::Telltale(two))) => {
                             two.place() == Place::With(*one) || one.place() == Place::With(*two)

@@ -24,21 +24,21 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-mod cell;
+mod element;
 mod fonts;
 mod layout;
+mod pages;
 mod picture;
 mod regions;
-mod row;
+mod scanline;
 mod screen;
-mod sheet;
 mod theme;
 mod tile;
 mod words;
 
+pub use pages::looks_same;
 pub use picture::{has_glyph, message_room};
 pub use screen::Screen;
-pub use sheet::looks_same;
 pub use tile::{PanelPixel, Tile};
 
 /// Width of the screen in pixels.

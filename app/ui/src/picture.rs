@@ -5,11 +5,11 @@
 //! valid = a cross and dashes; none of them looks like zero, and a dial or bar without a value has no pointer.
 
 use crate::{
-    cell::Cell,
+    element::Element,
     fonts::{self, CLOCK, CROSS, DASH, DialPixel, Font},
-    layout::{self, Align, Area, FIELD_CELLS, FIELDS, Field, Label, Widget},
-    row::Row,
-    sheet::{self, Kind, MOST_CELLS},
+    layout::{self, Align, Area, FIELDS, Field, Label, MOST_FIGURES, Widget},
+    pages::{self, Kind, MOST_ELEMENTS},
+    scanline::Scanline,
     theme::{Ink, Palette, Ramp, mix},
     words,
 };
@@ -31,20 +31,20 @@ const BLANK: u8 = b' ';
 
 /// The characters of a number, from the right, and their ink.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Figures<const CELLS: usize> {
-    pub(crate) codes: [u8; CELLS],
+pub(crate) struct Figures<const COUNT: usize> {
+    pub(crate) codes: [u8; COUNT],
     pub(crate) ink: Ink,
 }
 
-impl<const CELLS: usize> Figures<CELLS> {
-    const EMPTY: Self = Self { codes: [BLANK; CELLS], ink: Ink::Primary };
+impl<const COUNT: usize> Figures<COUNT> {
+    const EMPTY: Self = Self { codes: [BLANK; COUNT], ink: Ink::Primary };
 
-    /// Writes a number into `cells` characters of which the last `decimals` stand behind the point; what does not fit
+    /// Writes a number into `count` characters of which the last `decimals` stand behind the point; what does not fit
     /// becomes the largest number that does.
-    fn of(shown: Shown<i32>, cells: usize, decimals: usize) -> Self {
-        let cells = cells.min(CELLS);
+    fn of(shown: Shown<i32>, count: usize, decimals: usize) -> Self {
+        let count = count.min(COUNT);
         let mark = match shown {
-            Shown::Value(value) => return Self::number(value, cells, decimals),
+            Shown::Value(value) => return Self::number(value, count, decimals),
             Shown::Never => None,
             Shown::Stale => Some(CLOCK),
             Shown::Invalid => Some(CROSS),
@@ -52,32 +52,32 @@ impl<const CELLS: usize> Figures<CELLS> {
         let mut figures = Self::EMPTY;
         figures.ink = if mark.is_some() { Ink::Secondary } else { Ink::Faint };
         // The point's place stays empty.
-        let places = (0..cells).filter(|&slot| decimals == 0 || slot != decimals);
-        for (slot, code) in places.zip([DASH, DASH, mark.unwrap_or(BLANK)]) {
-            figures.codes[slot] = code;
+        let places = (0..count).filter(|&figure| decimals == 0 || figure != decimals);
+        for (figure, code) in places.zip([DASH, DASH, mark.unwrap_or(BLANK)]) {
+            figures.codes[figure] = code;
         }
         figures
     }
 
-    fn number(value: i32, cells: usize, decimals: usize) -> Self {
+    fn number(value: i32, count: usize, decimals: usize) -> Self {
         let mut figures = Self::EMPTY;
-        let places = cells - usize::from(decimals > 0);
+        let places = count - usize::from(decimals > 0);
         let limit = |places: usize| 10_u32.saturating_pow(places as u32) - 1;
         let (mut rest, negative) = match value < 0 {
             true => (value.unsigned_abs().min(limit(places.saturating_sub(1))), true),
             false => (value.unsigned_abs().min(limit(places)), false),
         };
         let negative = negative && rest != 0;
-        for slot in 0..cells {
-            if decimals > 0 && slot == decimals {
-                figures.codes[slot] = b'.';
+        for figure in 0..count {
+            if decimals > 0 && figure == decimals {
+                figures.codes[figure] = b'.';
                 continue;
             }
-            figures.codes[slot] = b'0' + (rest % 10) as u8;
+            figures.codes[figure] = b'0' + (rest % 10) as u8;
             rest /= 10;
-            if rest == 0 && slot >= decimals + usize::from(decimals > 0) {
-                if negative && slot + 1 < cells {
-                    figures.codes[slot + 1] = b'-';
+            if rest == 0 && figure >= decimals + usize::from(decimals > 0) {
+                if negative && figure + 1 < count {
+                    figures.codes[figure + 1] = b'-';
                 }
                 break;
             }
@@ -87,7 +87,7 @@ impl<const CELLS: usize> Figures<CELLS> {
 
     /// Returns how many characters there are.
     pub(crate) fn length(&self) -> usize {
-        CELLS - self.codes.iter().rev().take_while(|&&code| code == BLANK).count()
+        COUNT - self.codes.iter().rev().take_while(|&&code| code == BLANK).count()
     }
 }
 
@@ -144,7 +144,7 @@ impl<const MOST: usize> Glyphs<MOST> {
         }
     }
 
-    fn paint(&self, row: &mut Row, font: &Font, x: u16, top: u16, ramp: &Ramp) {
+    fn paint(&self, row: &mut Scanline, font: &Font, x: u16, top: u16, ramp: &Ramp) {
         let mut pen = x as i16;
         for &place in &self.places[..usize::from(self.length)] {
             let Some(glyph) = font.glyph(place) else { continue };
@@ -275,12 +275,12 @@ pub(crate) struct Picture {
     pub(crate) language: Language,
     pub(crate) message: Option<Message>,
     pub(crate) severity: Severity,
-    /// Those that are seen: of two in one cell the one whose turn it is.
+    /// Those that are seen: of two in one place the one whose turn it is.
     pub(crate) telltales: Telltales,
     pub(crate) is_power_limited: bool,
     pub(crate) gear: u8,
     pub(crate) speed: Figures<3>,
-    pub(crate) fields: [Figures<FIELD_CELLS>; FIELDS.len()],
+    pub(crate) fields: [Figures<MOST_FIGURES>; FIELDS.len()],
     /// Pixels of the bar that are lit.
     pub(crate) charge: Option<u16>,
     pub(crate) is_charge_low: bool,
@@ -289,7 +289,7 @@ pub(crate) struct Picture {
     pub(crate) heartbeat: bool,
     pub(crate) rings: [Angle; 2],
     pub(crate) kind: Kind,
-    pub(crate) cells: [Cell; MOST_CELLS],
+    pub(crate) elements: [Element; MOST_ELEMENTS],
 }
 
 impl Picture {
@@ -310,7 +310,7 @@ impl Picture {
         heartbeat: false,
         rings: [None; 2],
         kind: Kind::Main,
-        cells: [Cell::BLANK; MOST_CELLS],
+        elements: [Element::BLANK; MOST_ELEMENTS],
     };
 
     /// Works out what is painted for a view.
@@ -323,7 +323,7 @@ impl Picture {
             telltales: view.telltales.in_turn(view.heartbeat),
             heartbeat: view.heartbeat,
             kind: Kind::of(&view.page),
-            cells: sheet::cells(view),
+            elements: pages::elements(view),
             ..Self::EMPTY
         };
         // What a page does not show must not be sent when it changes.
@@ -336,11 +336,11 @@ impl Picture {
         let mut fields = [Figures::EMPTY; FIELDS.len()];
         for (figures, field) in fields.iter_mut().zip(&FIELDS) {
             *figures =
-                Figures::of((field.number)(view), usize::from(field.cells), usize::from(field.decimals));
+                Figures::of((field.number)(view), usize::from(field.figures), usize::from(field.decimals));
         }
         Self {
             is_power_limited: view.is_power_limited,
-            gear: view.gear.map_or(BLANK, sheet::letter),
+            gear: view.gear.map_or(BLANK, pages::letter),
             speed: Figures::of(view.speed_kmh.map(i32::from), 3, 0),
             fields,
             charge: view.soc_percent.value().map(|percent| (u32::from(percent.min(100)) * bar / 100) as u16),
@@ -354,13 +354,13 @@ impl Picture {
         }
     }
 
-    /// Returns the cell of the speed's character `slot`, counted from the right.
-    pub(crate) fn speed_cell(&self, slot: usize) -> Area {
-        speed_cell(self.speed.length(), slot)
+    /// Returns the place of the speed's character `figure`, counted from the right.
+    pub(crate) fn speed_figure(&self, figure: usize) -> Area {
+        speed_figure(self.speed.length(), figure)
     }
 
     /// Paints a widget's part of a row that is ground so far.
-    pub(crate) fn paint(&self, widget: Widget, row: &mut Row) {
+    pub(crate) fn paint(&self, widget: Widget, row: &mut Scanline) {
         let palette = Palette::of(self.theme);
         match widget {
             Widget::Band => self.paint_band(row, palette),
@@ -397,17 +397,17 @@ impl Picture {
                 );
             }
             Widget::Speed => {
-                for slot in 0..self.speed.length() {
-                    let cell = self.speed_cell(slot);
-                    if !row.meets(cell.x, cell.width) {
+                for figure in 0..self.speed.length() {
+                    let area = self.speed_figure(figure);
+                    if !row.meets(area.x, area.width) {
                         continue;
                     }
-                    let middle = cell.x + cell.width / 2;
+                    let middle = area.x + area.width / 2;
                     let ramp = palette.ramp(self.speed.ink);
                     paint_character(
                         row,
                         &fonts::SPEED,
-                        self.speed.codes[slot],
+                        self.speed.codes[figure],
                         middle,
                         layout::SPEED_TOP,
                         ramp,
@@ -432,20 +432,20 @@ impl Picture {
     }
 
     /// Paints a label's part of a row that is ground so far.
-    pub(crate) fn paint_label(&self, label: &Label, row: &mut Row) {
+    pub(crate) fn paint_label(&self, label: &Label, row: &mut Scanline) {
         let Label { x, top, align, text, font, ink } = *label;
         let ramp = Palette::of(self.theme).ramp(ink);
         paint_text(row, font, said(text, self.language), x, top, align, ramp);
     }
 
-    /// Paints a cell's part of a row that is ground so far.
-    pub(crate) fn paint_cell(&self, place: usize, row: &mut Row) {
-        if let (Some(slot), Some(cell)) = (self.kind.slots().get(place), self.cells.get(place)) {
-            slot.paint(cell, row, Palette::of(self.theme));
+    /// Paints an element's part of a row that is ground so far.
+    pub(crate) fn paint_element(&self, place: usize, row: &mut Scanline) {
+        if let (Some(at), Some(element)) = (self.kind.places().get(place), self.elements.get(place)) {
+            at.paint(element, row, Palette::of(self.theme));
         }
     }
 
-    fn paint_band(&self, row: &mut Row, palette: &Palette) {
+    fn paint_band(&self, row: &mut Scanline, palette: &Palette) {
         let Some(message) = &self.message else { return };
         let place = message.severity as usize;
         let ramp = palette.ramp([Ink::OnInformation, Ink::OnWarn, Ink::OnDerate, Ink::OnStop][place]);
@@ -462,7 +462,7 @@ impl Picture {
         }
     }
 
-    fn paint_telltale(&self, telltale: Telltale, row: &mut Row, palette: &Palette) {
+    fn paint_telltale(&self, telltale: Telltale, row: &mut Scanline, palette: &Palette) {
         if !self.telltales.is_lit(telltale) {
             return;
         }
@@ -483,7 +483,7 @@ impl Picture {
         }
     }
 
-    fn paint_charge(&self, row: &mut Row, palette: &Palette) {
+    fn paint_charge(&self, row: &mut Scanline, palette: &Palette) {
         let Area { x, width, .. } = layout::CHARGE_BAR;
         let Some(lit) = self.charge else { return dotted(row, x, width, palette.track) };
         let ink = if self.is_charge_low { Ink::Yellow } else { Ink::Accent };
@@ -491,7 +491,7 @@ impl Picture {
         row.fill(x + lit, width - lit, palette.track);
     }
 
-    fn paint_power(&self, row: &mut Row, palette: &Palette) {
+    fn paint_power(&self, row: &mut Scanline, palette: &Palette) {
         let (Area { x, width, .. }, zero) = (layout::POWER_BAR, layout::POWER_ZERO);
         let Some(power) = self.power else { return dotted(row, x, width, palette.track) };
         row.fill(x, width, palette.track);
@@ -504,7 +504,7 @@ impl Picture {
         row.fill(zero - 1, 2, palette.pointer);
     }
 
-    fn paint_dial(&self, row: &mut Row, palette: &Palette) {
+    fn paint_dial(&self, row: &mut Scanline, palette: &Palette) {
         let Some(line) = fonts::DIAL_ROWS.get(usize::from(row.y.wrapping_sub(fonts::DIAL_TOP))) else {
             return;
         };
@@ -546,10 +546,10 @@ impl Picture {
     }
 }
 
-/// Returns the cell of character `slot`, from the right, of a speed of `length` characters.
-pub(crate) fn speed_cell(length: usize, slot: usize) -> Area {
+/// Returns the place of character `figure`, from the right, of a speed of `length` characters.
+pub(crate) fn speed_figure(length: usize, figure: usize) -> Area {
     let right = fonts::DIAL_CENTRE + length as u16 * layout::SPEED_HALF;
-    let x = right - (slot as u16 + 1) * 2 * layout::SPEED_HALF;
+    let x = right - (figure as u16 + 1) * 2 * layout::SPEED_HALF;
     Area::new(x, layout::SPEED.y, 2 * layout::SPEED_HALF, layout::SPEED.height)
 }
 
@@ -569,21 +569,21 @@ fn power_reach(power: i32) -> i16 {
 }
 
 /// Paints the track of a bar that has no value.
-fn dotted(row: &mut Row, x: u16, width: u16, ink: u16) {
+fn dotted(row: &mut Scanline, x: u16, width: u16, ink: u16) {
     for dot in (x..x + width).step_by(4) {
         row.fill(dot, 2.min(x + width - dot), ink);
     }
 }
 
-fn paint_field(row: &mut Row, field: &Field, figures: &Figures<FIELD_CELLS>, ramp: &Ramp) {
-    for (slot, &code) in figures.codes.iter().enumerate().take(usize::from(field.cells)) {
-        let cell = field.cell(slot as u16);
-        if code == BLANK || !row.meets(cell.x, cell.width) {
+fn paint_field(row: &mut Scanline, field: &Field, figures: &Figures<MOST_FIGURES>, ramp: &Ramp) {
+    for (figure, &code) in figures.codes.iter().enumerate().take(usize::from(field.figures)) {
+        let area = field.area_of(figure as u16);
+        if code == BLANK || !row.meets(area.x, area.width) {
             continue;
         }
         let glyph = field.font.find(char::from(code)).and_then(|place| field.font.glyph(place));
         let coverage =
-            glyph.and_then(|glyph| field.font.coverage(glyph, cell.x as i16, field.top as i16, row.y as i16));
+            glyph.and_then(|glyph| field.font.coverage(glyph, area.x as i16, field.top as i16, row.y as i16));
         if let Some(coverage) = coverage {
             row.cover(&coverage, ramp);
         }
@@ -591,7 +591,7 @@ fn paint_field(row: &mut Row, field: &Field, figures: &Figures<FIELD_CELLS>, ram
 }
 
 /// Paints one character around a middle column.
-fn paint_character(row: &mut Row, font: &Font, code: u8, middle: u16, top: u16, ramp: &Ramp) {
+fn paint_character(row: &mut Scanline, font: &Font, code: u8, middle: u16, top: u16, ramp: &Ramp) {
     let Some(glyph) = font.find(char::from(code)).and_then(|place| font.glyph(place)) else { return };
     let x = middle as i16 - i16::from(glyph.advance) / 2;
     if let Some(coverage) = font.coverage(glyph, x, top as i16, row.y as i16) {
@@ -599,7 +599,7 @@ fn paint_character(row: &mut Row, font: &Font, code: u8, middle: u16, top: u16, 
     }
 }
 
-fn paint_text(row: &mut Row, font: &Font, text: &str, x: u16, top: u16, align: Align, ramp: &Ramp) {
+fn paint_text(row: &mut Scanline, font: &Font, text: &str, x: u16, top: u16, align: Align, ramp: &Ramp) {
     let mut pen = x as i16
         - match align {
             Align::Left => 0,
@@ -634,17 +634,17 @@ mod tests {
     use std::string::String;
 
     /// Returns the characters from left to right.
-    fn read<const CELLS: usize>(figures: Figures<CELLS>) -> String {
+    fn read<const COUNT: usize>(figures: Figures<COUNT>) -> String {
         figures.codes.iter().rev().map(|&code| char::from(code)).collect::<String>().trim_start().into()
     }
 
-    fn number(value: i32, cells: usize, decimals: usize) -> String {
-        read(Figures::<8>::of(Shown::Value(value), cells, decimals))
+    fn number(value: i32, count: usize, decimals: usize) -> String {
+        read(Figures::<8>::of(Shown::Value(value), count, decimals))
     }
 
     #[test]
     fn numbers_have_their_decimals_and_no_leading_zeros() {
-        for (value, cells, decimals, expected) in [
+        for (value, count, decimals, expected) in [
             (0, 3, 0, "0"),
             (7, 3, 0, "7"),
             (100, 3, 0, "100"),
@@ -658,7 +658,7 @@ mod tests {
             (9, 4, 2, "0.09"),
             (481_237, 8, 1, "48123.7"),
         ] {
-            assert_eq!(number(value, cells, decimals), expected, "{value} in {cells} cells");
+            assert_eq!(number(value, count, decimals), expected, "{value} in {count} count");
         }
     }
 
@@ -699,7 +699,7 @@ mod tests {
         let rows = if fills { place.y..place.bottom() } else { 0..crate::HEIGHT };
         rows.into_iter().any(|y| {
             let mut pixels = [UNPAINTED; crate::WIDTH as usize];
-            picture.paint(widget, &mut Row { y, left: 0, pixels: &mut pixels });
+            picture.paint(widget, &mut Scanline { y, left: 0, pixels: &mut pixels });
             let is_inside =
                 |x| (place.x..place.right()).contains(&x) && (place.y..place.bottom()).contains(&y);
             (0_u16..).zip(pixels).any(|(x, pixel)| pixel != UNPAINTED && !is_inside(x))

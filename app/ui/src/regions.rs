@@ -4,9 +4,9 @@
 
 use crate::{
     fonts,
-    layout::{self, Area, FIELD_CELLS, FIELDS},
+    layout::{self, Area, FIELDS, MOST_FIGURES},
+    pages::{Kind, MOST_ELEMENTS},
     picture::{Picture, turned},
-    sheet::{Kind, MOST_CELLS},
 };
 use cluster::Telltale;
 
@@ -15,9 +15,9 @@ const LIMITED: usize = TELLTALES + Telltale::ALL.len();
 const GEAR: usize = LIMITED + 1;
 const SPEED: usize = GEAR + 1;
 const SPEED_PARTS: usize = 6;
-const CELLS: usize = SPEED + SPEED_PARTS;
-const SLOTS: usize = CELLS + FIELDS.len() * FIELD_CELLS;
-const CHARGE: usize = SLOTS + MOST_CELLS;
+const FIGURES: usize = SPEED + SPEED_PARTS;
+const ELEMENTS: usize = FIGURES + FIELDS.len() * MOST_FIGURES;
+const CHARGE: usize = ELEMENTS + MOST_ELEMENTS;
 const CHARGE_PARTS: usize = layout::CHARGE_BAR.width.div_ceil(layout::BAR_PART) as usize;
 const POWER: usize = CHARGE + CHARGE_PARTS;
 const POWER_PARTS: usize = layout::POWER_BAR.width.div_ceil(layout::BAR_PART) as usize;
@@ -91,8 +91,10 @@ impl Regions {
     /// Marks what looks different in `new`; theme, language and kind of page are the same in both.
     pub(crate) fn mark_changes(&mut self, old: &Picture, new: &Picture) {
         self.mark_frame(old, new);
-        for (slot, _) in old.cells.iter().zip(&new.cells).enumerate().filter(|(_, (old, new))| old != new) {
-            self.mark(SLOTS + slot);
+        for (element, _) in
+            old.elements.iter().zip(&new.elements).enumerate().filter(|(_, (old, new))| old != new)
+        {
+            self.mark(ELEMENTS + element);
         }
         if new.kind == Kind::Main {
             self.mark_dial(old, new);
@@ -126,13 +128,13 @@ impl Regions {
         }
         self.mark_speed(old, new);
         for (place, (old, new)) in old.fields.iter().zip(&new.fields).enumerate() {
-            for slot in
-                (0..FIELD_CELLS).filter(|&slot| old.codes[slot] != new.codes[slot] || old.ink != new.ink)
+            for figure in (0..MOST_FIGURES)
+                .filter(|&figure| old.codes[figure] != new.codes[figure] || old.ink != new.ink)
             {
                 // From left to right, so that neighbours go in one window.
-                let cells = usize::from(FIELDS[place].cells);
-                if slot < cells {
-                    self.mark(CELLS + place * FIELD_CELLS + cells - 1 - slot);
+                let count = usize::from(FIELDS[place].figures);
+                if figure < count {
+                    self.mark(FIGURES + place * MOST_FIGURES + count - 1 - figure);
                 }
             }
         }
@@ -148,14 +150,14 @@ impl Regions {
 
     fn mark_speed(&mut self, old: &Picture, new: &Picture) {
         let moved = old.speed.length() != new.speed.length() || old.speed.ink != new.speed.ink;
-        for slot in 0..old.speed.codes.len() {
-            if !moved && old.speed.codes[slot] == new.speed.codes[slot] {
+        for figure in 0..old.speed.codes.len() {
+            if !moved && old.speed.codes[figure] == new.speed.codes[figure] {
                 continue;
             }
             for picture in [old, new] {
-                if slot < picture.speed.length() {
+                if figure < picture.speed.length() {
                     let first =
-                        usize::from((picture.speed_cell(slot).x - layout::SPEED.x) / layout::SPEED_HALF);
+                        usize::from((picture.speed_figure(figure).x - layout::SPEED.x) / layout::SPEED_HALF);
                     self.mark(SPEED + first);
                     self.mark(SPEED + first + 1);
                 }
@@ -205,15 +207,17 @@ fn area(part: usize, kind: Kind) -> Area {
         TELLTALES..LIMITED => layout::telltale(Telltale::ALL[part - TELLTALES]),
         LIMITED => layout::LIMITED,
         GEAR => layout::GEAR,
-        SPEED..CELLS => {
+        SPEED..FIGURES => {
             let x = layout::SPEED.x + (part - SPEED) as u16 * layout::SPEED_HALF;
             Area::new(x, layout::SPEED.y, layout::SPEED_HALF, layout::SPEED.height)
         }
-        SLOTS..CHARGE => kind.slots().get(part - SLOTS).map_or(Area::new(0, 0, 0, 0), |slot| slot.area),
-        CELLS..SLOTS => {
-            let (field, place) = ((part - CELLS) / FIELD_CELLS, (part - CELLS) % FIELD_CELLS);
+        ELEMENTS..CHARGE => {
+            kind.places().get(part - ELEMENTS).map_or(Area::new(0, 0, 0, 0), |place| place.area)
+        }
+        FIGURES..ELEMENTS => {
+            let (field, place) = ((part - FIGURES) / MOST_FIGURES, (part - FIGURES) % MOST_FIGURES);
             let field = &FIELDS[field];
-            field.cell(u16::from(field.cells) - 1 - place as u16)
+            field.area_of(u16::from(field.figures) - 1 - place as u16)
         }
         CHARGE..POWER => bar_part(layout::CHARGE_BAR, part - CHARGE),
         POWER..HEARTBEAT => bar_part(layout::POWER_BAR, part - POWER),

@@ -6,10 +6,10 @@
 use crate::{
     HEIGHT, WIDTH,
     layout::{Area, LABELS, WIDGETS},
+    pages::{Kind, MOST_ELEMENTS},
     picture::{Picture, label_area},
     regions::Regions,
-    row::{Row, fill},
-    sheet::{Kind, MOST_CELLS},
+    scanline::{Scanline, fill},
     theme::Palette,
     tile::rectangle,
 };
@@ -170,8 +170,8 @@ impl Screen {
     fn place(&self, index: usize) -> Area {
         match index {
             ..FIRST_LABEL => WIDGETS[index].1,
-            FIRST_LABEL..FIRST_SLOT => self.labels[index - FIRST_LABEL],
-            FIRST_SLOT.. => self.picture.kind.slots()[index - FIRST_SLOT].area,
+            FIRST_LABEL..FIRST_ELEMENT => self.labels[index - FIRST_LABEL],
+            FIRST_ELEMENT.. => self.picture.kind.places()[index - FIRST_ELEMENT].area,
         }
     }
 
@@ -193,8 +193,8 @@ impl Screen {
         if is_main {
             self.labels.iter().enumerate().for_each(|(index, place)| note(FIRST_LABEL + index, place));
         }
-        let slots = self.picture.kind.slots().iter().enumerate();
-        slots.for_each(|(index, slot)| note(FIRST_SLOT + index, &slot.area));
+        let places = self.picture.kind.places().iter().enumerate();
+        places.for_each(|(index, place)| note(FIRST_ELEMENT + index, &place.area));
         met
     }
 
@@ -209,21 +209,23 @@ impl Screen {
             // Widgets keep to their places, whatever they paint.
             let (left, right) = (place.x.max(area.x), place.right().min(area.right()));
             let columns = usize::from(left - area.x)..usize::from(right - area.x);
-            let mut row = Row { y, left, pixels: &mut pixels[columns] };
+            let mut row = Scanline { y, left, pixels: &mut pixels[columns] };
             match index {
                 ..FIRST_LABEL => self.picture.paint(WIDGETS[index].0, &mut row),
-                FIRST_LABEL..FIRST_SLOT => self.picture.paint_label(&LABELS[index - FIRST_LABEL], &mut row),
-                FIRST_SLOT.. => self.picture.paint_cell(index - FIRST_SLOT, &mut row),
+                FIRST_LABEL..FIRST_ELEMENT => {
+                    self.picture.paint_label(&LABELS[index - FIRST_LABEL], &mut row)
+                }
+                FIRST_ELEMENT.. => self.picture.paint_element(index - FIRST_ELEMENT, &mut row),
             }
         }
     }
 }
 
 const FIRST_LABEL: usize = WIDGETS.len();
-const FIRST_SLOT: usize = FIRST_LABEL + LABELS.len();
-const MOST_MET: usize = FIRST_SLOT + MOST_CELLS;
+const FIRST_ELEMENT: usize = FIRST_LABEL + LABELS.len();
+const MOST_MET: usize = FIRST_ELEMENT + MOST_ELEMENTS;
 
-/// What meets a tile: places in [`WIDGETS`], then in [`LABELS`], then among the cells of the page.
+/// What meets a tile: places in [`WIDGETS`], then in [`LABELS`], then among the elements of the page.
 struct Met {
     places: [u8; MOST_MET],
     count: usize,

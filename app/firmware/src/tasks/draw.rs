@@ -15,8 +15,8 @@ use ui::Screen;
 
 use crate::app::{Mono, draw::Context};
 
-/// Memory of one tile: pixels as the panel wants them.
-pub type Tile = &'static mut [u16];
+/// Memory for the pixels of one tile, as the panel wants them.
+pub type TileBuffer = &'static mut [u16];
 
 /// Views of which the panel shows everything, and the longest time that one took. Only `draw` writes them.
 static PICTURES: AtomicU32 = AtomicU32::new(0);
@@ -37,7 +37,7 @@ struct Brush<'a> {
     panel: &'a mut PanelPort,
     done: &'a mut SignalReader<'static, ()>,
     /// A tile that is neither painted nor on its way.
-    spare: [Option<Tile>; 2],
+    spare: [Option<TileBuffer>; 2],
 }
 
 impl Brush<'_> {
@@ -67,7 +67,7 @@ impl Brush<'_> {
         PICTURES.store(PICTURES.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
     }
 
-    async fn free_tile(&mut self) -> Option<Tile> {
+    async fn free_tile(&mut self) -> Option<TileBuffer> {
         if self.spare.iter().all(Option::is_none) {
             self.settle().await;
         }
@@ -84,7 +84,7 @@ impl Brush<'_> {
         }
     }
 
-    fn keep(&mut self, tile: Option<Tile>) {
+    fn keep(&mut self, tile: Option<TileBuffer>) {
         if let Some(place) = self.spare.iter_mut().find(|place| place.is_none()) {
             *place = tile;
         }

@@ -9,7 +9,7 @@ mod report;
 mod tick;
 
 pub use can_service::can_service;
-pub use draw::{Tile, draw};
+pub use draw::{TileBuffer, draw};
 pub use idle::idle;
 pub use link_done::link_done;
 pub use panel_done::panel_done;

@@ -1,12 +1,12 @@
-//! A cell: a short text, a number with its unit or a mark, at a fixed place of a page.
+//! An element: a short text, a number with its unit or a mark, at a fixed place of a page.
 //!
-//! Owns what may stand in a cell and how one row of it is painted; which cells a page has is in `sheet`. A cell is sent
-//! anew when it differs from the one before, and only then.
+//! Owns what may stand in an element and how one row of it is painted; which elements a page has is in `pages`. An element is
+//! sent anew when it differs from the one before, and only then.
 
 use crate::{
     fonts::{self, CLOCK, CROSS, DASH, Font},
     layout::{Align, Area, BAR_PART, rounded},
-    row::Row,
+    scanline::Scanline,
     theme::{Ink, Palette, Ramp},
 };
 use protocol_core::model::{Severity, Shown};
@@ -66,7 +66,7 @@ impl Short {
     }
 }
 
-/// What stands in a cell.
+/// What stands in an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Content {
     Blank,
@@ -82,14 +82,14 @@ pub(crate) enum Content {
     Mark(Severity),
 }
 
-/// A cell of a page.
+/// An element of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Cell {
+pub(crate) struct Element {
     pub(crate) content: Content,
     pub(crate) ink: Ink,
 }
 
-impl Cell {
+impl Element {
     pub(crate) const BLANK: Self = Self { content: Content::Blank, ink: Ink::Primary };
 }
 
@@ -102,9 +102,9 @@ pub(crate) fn ink_of<T>(shown: Shown<T>) -> Ink {
     }
 }
 
-/// Where a cell stands.
+/// Where an element stands.
 #[derive(Debug)]
-pub(crate) struct Slot {
+pub(crate) struct Place {
     pub(crate) area: Area,
     /// Top of the capitals.
     pub(crate) top: u16,
@@ -112,7 +112,7 @@ pub(crate) struct Slot {
     pub(crate) align: Align,
 }
 
-impl Slot {
+impl Place {
     pub(crate) const fn new(area: Area, top: u16, font: &'static Font, align: Align) -> Self {
         Self { area, top, font, align }
     }
@@ -137,7 +137,7 @@ impl Slot {
         glyph.map_or(0, |glyph| i16::from(glyph.left))
     }
 
-    /// Returns the width of what stands in a cell here, pixels.
+    /// Returns the width of what stands in an element here, pixels.
     pub(crate) fn width(&self, content: &Content) -> u16 {
         match content {
             Content::Blank => 0,
@@ -169,11 +169,11 @@ impl Slot {
         contents.find(|content| self.has_room_for(content)).unwrap_or(Content::Blank)
     }
 
-    /// Paints a cell's part of a row that is ground so far.
-    pub(crate) fn paint(&self, cell: &Cell, row: &mut Row, palette: &Palette) {
-        let ramp = palette.ramp(cell.ink);
-        let left = self.left(self.width(&cell.content)) - self.lean(&cell.content);
-        match &cell.content {
+    /// Paints an element's part of a row that is ground so far.
+    pub(crate) fn paint(&self, element: &Element, row: &mut Scanline, palette: &Palette) {
+        let ramp = palette.ramp(element.ink);
+        let left = self.left(self.width(&element.content)) - self.lean(&element.content);
+        match &element.content {
             Content::Blank => {}
             Content::Words(text) => {
                 paint(row, self.font, text.chars(), left, self.top, ramp);
@@ -199,7 +199,7 @@ impl Slot {
                 let Area { x, width, .. } = self.area;
                 match lit {
                     Some(lit) => {
-                        row.fill(x, *lit, palette.colour(cell.ink));
+                        row.fill(x, *lit, palette.colour(element.ink));
                         row.fill(x + lit, width - lit, palette.track);
                     }
                     None => {
@@ -226,7 +226,7 @@ fn width(font: &Font, characters: impl Iterator<Item = char>) -> u16 {
 
 /// Paints characters from column `x` on; returns the column behind them.
 fn paint(
-    row: &mut Row,
+    row: &mut Scanline,
     font: &Font,
     characters: impl Iterator<Item = char>,
     x: i16,
@@ -281,8 +281,8 @@ mod tests {
     #[test]
     fn a_number_without_room_loses_its_decimals_and_then_its_last_figures() {
         // Six figures of eight pixels.
-        let slot = Slot::new(Area::new(0, 0, 49, 14), 0, &fonts::VALUE, Align::Left);
-        let of = |value, decimals| match slot
+        let place = Place::new(Area::new(0, 0, 49, 14), 0, &fonts::VALUE, Align::Left);
+        let of = |value, decimals| match place
             .fit(value, decimals, |value, decimals| Content::Short(Short::EMPTY.decimal(value, decimals)))
         {
             Content::Short(short) => read(short),

@@ -1,12 +1,12 @@
-//! The pages but the dial: which cells each has, where they stand and what is in them.
+//! The pages but the dial: which elements each has, where they stand and what is in them.
 //!
-//! Owns a table of places for each kind of page and the step from a view to its cells. Beside them every page keeps the
+//! Owns a table of places for each kind of page and the step from a view to its elements. Beside them every page keeps the
 //! lamps, the stripe, the message line and the proof of life; every page but the main one has gear and speed in its
 //! head.
 //! Source: BUS-R033, R038, R060, R067, R120, R124, R126, R143.
 
 use crate::{
-    cell::{Cell, Content, Short, Slot, ink_of},
+    element::{Content, Element, Place, Short, ink_of},
     fonts,
     layout::{Align, Area},
     picture::said,
@@ -24,7 +24,7 @@ use protocol_core::states::{Confinement, Contactor, Flag};
 /// Pages with the same places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// The dial, and one cell for the range.
+    /// The dial, and one element for the range.
     Main,
     /// Six large numbers.
     Grid,
@@ -47,8 +47,8 @@ impl Kind {
         }
     }
 
-    /// Returns the places of its cells.
-    pub(crate) const fn slots(self) -> &'static [Slot] {
+    /// Returns the places of its elements.
+    pub(crate) const fn places(self) -> &'static [Place] {
         match self {
             Self::Main => &MAIN,
             Self::Grid => &GRID,
@@ -59,8 +59,8 @@ impl Kind {
     }
 }
 
-/// Most cells of a page.
-pub(crate) const MOST_CELLS: usize = TABLE.len();
+/// Most elements of a page.
+pub(crate) const MOST_ELEMENTS: usize = TABLE.len();
 
 /// Margins of the pages: the proof of life stands to the right.
 const LEFT: u16 = 10;
@@ -68,130 +68,131 @@ const RIGHT: u16 = 304;
 /// First column of the right half of a table.
 const MIDDLE: u16 = 170;
 
-/// Cells of the head: title, part, gear, speed, bar.
+/// Elements of the head: title, part, gear, speed, bar.
 const HEAD: usize = 5;
 const BAR: Area = Area::new(LEFT, 53, RIGHT - LEFT, 3);
 
-const BLANK: Slot = Slot::new(Area::new(0, 0, 0, 0), 0, &fonts::LABEL, Align::Left);
+const BLANK: Place = Place::new(Area::new(0, 0, 0, 0), 0, &fonts::LABEL, Align::Left);
 
 /// Returns places of which the first are the head's.
-const fn headed<const COUNT: usize>() -> [Slot; COUNT] {
-    let mut slots = [const { BLANK }; COUNT];
-    slots[0] = Slot::new(Area::new(LEFT, 30, 144, 22), 35, &fonts::MESSAGE, Align::Left);
-    slots[1] = Slot::new(Area::new(154, 35, 38, 14), 38, &fonts::LABEL, Align::Right);
-    slots[2] = Slot::new(Area::new(202, 26, 20, 24), 26, &fonts::GEAR, Align::Centre);
-    slots[3] = Slot::new(Area::new(228, 26, RIGHT - 228, 25), 27, &fonts::FIGURE, Align::Right);
-    slots[4] = Slot::new(BAR, 0, &fonts::LABEL, Align::Left);
-    slots
+const fn headed<const COUNT: usize>() -> [Place; COUNT] {
+    let mut places = [const { BLANK }; COUNT];
+    places[0] = Place::new(Area::new(LEFT, 30, 144, 22), 35, &fonts::MESSAGE, Align::Left);
+    places[1] = Place::new(Area::new(154, 35, 38, 14), 38, &fonts::LABEL, Align::Right);
+    places[2] = Place::new(Area::new(202, 26, 20, 24), 26, &fonts::GEAR, Align::Centre);
+    places[3] = Place::new(Area::new(228, 26, RIGHT - 228, 25), 27, &fonts::FIGURE, Align::Right);
+    places[4] = Place::new(BAR, 0, &fonts::LABEL, Align::Left);
+    places
 }
 
 /// Its figures end where those of voltage and current do.
 const RANGE: Area = Area::new(6, 64, 62, 16);
-static MAIN: [Slot; 1] = [Slot::new(RANGE, 65, &fonts::VALUE, Align::Right)];
+static MAIN: [Place; 1] = [Place::new(RANGE, 65, &fonts::VALUE, Align::Right)];
 
 /// Large numbers with a label each, row by row.
-const TILES: usize = 6;
-const TILE: u16 = 144;
-static GRID: [Slot; HEAD + 2 * TILES] = {
-    let mut slots = headed();
-    let mut tile = 0;
-    while tile < TILES {
-        let x = if tile % 2 == 0 { LEFT } else { RIGHT - TILE };
-        let y = 59 + 43 * (tile / 2) as u16;
-        slots[HEAD + 2 * tile] = Slot::new(Area::new(x, y, TILE, 16), y + 4, &fonts::LABEL, Align::Left);
-        let number = Area::new(x, y + 17, TILE, 25);
-        slots[HEAD + 2 * tile + 1] = Slot::new(number, y + 18, &fonts::FIGURE, Align::Left);
-        tile += 1;
+const FIGURES: usize = 6;
+const FIGURE_WIDTH: u16 = 144;
+static GRID: [Place; HEAD + 2 * FIGURES] = {
+    let mut places = headed();
+    let mut figure = 0;
+    while figure < FIGURES {
+        let x = if figure % 2 == 0 { LEFT } else { RIGHT - FIGURE_WIDTH };
+        let y = 59 + 43 * (figure / 2) as u16;
+        places[HEAD + 2 * figure] =
+            Place::new(Area::new(x, y, FIGURE_WIDTH, 16), y + 4, &fonts::LABEL, Align::Left);
+        let number = Area::new(x, y + 17, FIGURE_WIDTH, 25);
+        places[HEAD + 2 * figure + 1] = Place::new(number, y + 18, &fonts::FIGURE, Align::Left);
+        figure += 1;
     }
-    slots
+    places
 };
 
-/// Where the numbers of the tiles stand: each has the same room.
-const NUMBER: &Slot = &GRID[HEAD + 1];
+/// Where the numbers of the figures stand: each has the same room.
+const NUMBER: &Place = &GRID[HEAD + 1];
 
 /// Rows of a severity's mark, a text with its code, and when it came.
 const ROWS: usize = cluster::page::ROWS;
-static LIST: [Slot; HEAD + 3 * ROWS] = {
-    let mut slots = headed();
+static LIST: [Place; HEAD + 3 * ROWS] = {
+    let mut places = headed();
     let mut row = 0;
     while row < ROWS {
         let y = 59 + 32 * row as u16;
         let (x, width) = (LEFT + 11, RIGHT - LEFT - 11);
         let place = HEAD + 3 * row;
-        slots[place] = Slot::new(Area::new(LEFT, y + 1, 4, 29), 0, &fonts::LABEL, Align::Left);
-        slots[place + 1] = Slot::new(Area::new(x, y, width, 19), y + 3, &fonts::MESSAGE, Align::Left);
-        slots[place + 2] = Slot::new(Area::new(x, y + 19, width, 12), y + 21, &fonts::LABEL, Align::Left);
+        places[place] = Place::new(Area::new(LEFT, y + 1, 4, 29), 0, &fonts::LABEL, Align::Left);
+        places[place + 1] = Place::new(Area::new(x, y, width, 19), y + 3, &fonts::MESSAGE, Align::Left);
+        places[place + 2] = Place::new(Area::new(x, y + 19, width, 12), y + 21, &fonts::LABEL, Align::Left);
         row += 1;
     }
-    slots
+    places
 };
 
 /// Labels and values, column by column.
 const LINES: usize = 5;
 const LABEL_WIDTH: u16 = 66;
 const VALUE_WIDTH: u16 = RIGHT - MIDDLE - LABEL_WIDTH;
-static TABLE: [Slot; HEAD + 4 * LINES] = {
-    let mut slots = headed();
+static TABLE: [Place; HEAD + 4 * LINES] = {
+    let mut places = headed();
     let mut line = 0;
     while line < 2 * LINES {
         let x = if line < LINES { LEFT } else { MIDDLE };
         let y = 59 + 25 * (line % LINES) as u16;
-        slots[HEAD + 2 * line] =
-            Slot::new(Area::new(x, y + 5, LABEL_WIDTH, 17), y + 9, &fonts::LABEL, Align::Left);
+        places[HEAD + 2 * line] =
+            Place::new(Area::new(x, y + 5, LABEL_WIDTH, 17), y + 9, &fonts::LABEL, Align::Left);
         let value = Area::new(x + LABEL_WIDTH, y + 2, VALUE_WIDTH, 21);
-        slots[HEAD + 2 * line + 1] = Slot::new(value, y + 6, &fonts::MESSAGE, Align::Right);
+        places[HEAD + 2 * line + 1] = Place::new(value, y + 6, &fonts::MESSAGE, Align::Right);
         line += 1;
     }
-    slots
+    places
 };
 
 /// Label, value and place of the highest and the lowest.
 const ENDS: usize = 4;
-static EXTREMES: [Slot; HEAD + 3 * ENDS] = {
-    let mut slots = headed();
+static EXTREMES: [Place; HEAD + 3 * ENDS] = {
+    let mut places = headed();
     let mut end = 0;
     while end < ENDS {
         let y = 61 + 31 * end as u16;
         let place = HEAD + 3 * end;
-        slots[place] = Slot::new(Area::new(LEFT, y + 8, 90, 17), y + 13, &fonts::LABEL, Align::Left);
+        places[place] = Place::new(Area::new(LEFT, y + 8, 90, 17), y + 13, &fonts::LABEL, Align::Left);
         let value = Area::new(100, y + 1, 116, 25);
-        slots[place + 1] = Slot::new(value, y + 2, &fonts::FIGURE, Align::Right);
+        places[place + 1] = Place::new(value, y + 2, &fonts::FIGURE, Align::Right);
         let at = Area::new(218, y + 4, RIGHT - 218, 20);
-        slots[place + 2] = Slot::new(at, y + 10, &fonts::MESSAGE, Align::Right);
+        places[place + 2] = Place::new(at, y + 10, &fonts::MESSAGE, Align::Right);
         end += 1;
     }
-    slots
+    places
 };
 
-const fn words(text: Text, language: Language, ink: Ink) -> Cell {
-    Cell { content: Content::Words(said(text, language)), ink }
+const fn words(text: Text, language: Language, ink: Ink) -> Element {
+    Element { content: Content::Words(said(text, language)), ink }
 }
 
-/// Returns a number with its unit, as it has room in `slot`.
-fn measure(slot: &Slot, shown: Shown<i32>, decimals: u32, unit: Text, language: Language) -> Cell {
+/// Returns a number with its unit, as it has room in `place`.
+fn measure(place: &Place, shown: Shown<i32>, decimals: u32, unit: Text, language: Language) -> Element {
     let unit = said(unit, language);
     let of = |value, decimals| Content::Measure(Short::EMPTY.decimal(value, decimals), unit);
     let content = match shown {
-        Shown::Value(value) => slot.fit(value, decimals, of),
+        Shown::Value(value) => place.fit(value, decimals, of),
         missing => Content::Measure(Short::shown(missing, decimals), unit),
     };
-    Cell { content, ink: ink_of(shown) }
+    Element { content, ink: ink_of(shown) }
 }
 
-/// Returns the remaining range, as it has room in `slot`; an estimate is marked.
-fn range_of(slot: &Slot, range: Shown<Range>) -> Cell {
+/// Returns the remaining range, as it has room in `place`; an estimate is marked.
+fn range_of(place: &Place, range: Shown<Range>) -> Element {
     let content = match range {
         Shown::Value(Range { km, is_estimated }) => {
             let start = if is_estimated { Short::EMPTY.code(b'~') } else { Short::EMPTY };
-            slot.fit(km.into(), 0, |km, _| Content::Measure(start.decimal(km, 0), words::KM.en))
+            place.fit(km.into(), 0, |km, _| Content::Measure(start.decimal(km, 0), words::KM.en))
         }
         missing => Content::Measure(Short::shown(missing.map(|_| 0), 0), words::KM.en),
     };
-    Cell { content, ink: ink_of(range) }
+    Element { content, ink: ink_of(range) }
 }
 
 /// Hours and minutes.
-fn duration_of(minutes: Option<u16>) -> Cell {
+fn duration_of(minutes: Option<u16>) -> Element {
     let shown = minutes.map_or(Shown::Never, Shown::Value);
     let number = match minutes {
         Some(minutes) => {
@@ -199,13 +200,13 @@ fn duration_of(minutes: Option<u16>) -> Cell {
         }
         None => Short::shown(Shown::Never, 0),
     };
-    Cell { content: Content::Measure(number, words::HOURS.en), ink: ink_of(shown) }
+    Element { content: Content::Measure(number, words::HOURS.en), ink: ink_of(shown) }
 }
 
 /// A value with the label over it.
-type Tile = (Text, Cell);
+type Labelled = (Text, Element);
 
-fn trip_tiles(view: &View, trip: Trip) -> [Tile; TILES] {
+fn trip_figures(view: &View, trip: Trip) -> [Labelled; FIGURES] {
     let Journey { hectometres, average_whkm, used_watthours, regained_watthours } =
         view.journeys[trip as usize];
     let tenths = |number: u32| Shown::Value(i32::try_from(number).unwrap_or(i32::MAX));
@@ -218,11 +219,11 @@ fn trip_tiles(view: &View, trip: Trip) -> [Tile; TILES] {
         (words::USED, of(tenths(used_watthours / 100), words::KWH)),
         (words::REGAINED, of(tenths(regained_watthours / 100), words::KWH)),
         (words::RANGE, range_of(NUMBER, view.range)),
-        (words::HOLD_TO_RESET, Cell::BLANK),
+        (words::HOLD_TO_RESET, Element::BLANK),
     ]
 }
 
-fn energy_tiles(view: &View) -> [Tile; TILES] {
+fn energy_figures(view: &View) -> [Labelled; FIGURES] {
     let of = |shown, decimals, unit| measure(NUMBER, shown, decimals, unit, view.language);
     let soc = (words::CHARGE, of(view.soc_percent.map(i32::from), 0, words::PERCENT));
     let range = (words::RANGE, range_of(NUMBER, view.range));
@@ -259,16 +260,18 @@ fn detail(row: &Listed) -> Short {
 }
 
 /// Returns the label and the value of a line of a table, `None` for what the vehicle does not have.
-fn line_of(text: Text, unit: Option<Unit>, shown: Shown<i32>, language: Language) -> Option<(Text, Cell)> {
+fn line_of(text: Text, unit: Option<Unit>, shown: Shown<i32>, language: Language) -> Option<(Text, Element)> {
     let state = match (unit, shown.value()) {
         (Some(Unit::Contactor), Some(number)) => Contactor::from_number(number).map(words::contactor),
         (Some(Unit::Flag), Some(number)) => Flag::from_number(number).map(words::flag),
         _ => None,
     };
-    let cell = match (state, shown) {
+    let element = match (state, shown) {
         (_, Shown::Never) => return None,
         (Some((word, ink)), _) => words(word, language, ink),
-        (_, Shown::Value(0)) => Cell { content: Content::Short(Short::shown(shown, 0)), ink: Ink::Secondary },
+        (_, Shown::Value(0)) => {
+            Element { content: Content::Short(Short::shown(shown, 0)), ink: Ink::Secondary }
+        }
         _ => {
             let whole = Content::Short(Short::shown(shown, 0));
             let content = match shown {
@@ -277,16 +280,16 @@ fn line_of(text: Text, unit: Option<Unit>, shown: Shown<i32>, language: Language
                 }
                 _ => whole,
             };
-            Cell { content, ink: ink_of(shown) }
+            Element { content, ink: ink_of(shown) }
         }
     };
-    Some((text, cell))
+    Some((text, element))
 }
 
-fn bus_line(count: Count, shown: Shown<i32>, language: Language) -> Option<(Text, Cell)> {
-    let (text, cell) = line_of(words::count(count), None, shown, language)?;
+fn bus_line(count: Count, shown: Shown<i32>, language: Language) -> Option<(Text, Element)> {
+    let (text, element) = line_of(words::count(count), None, shown, language)?;
     let state = shown.value().filter(|_| count == Count::State).map(Confinement::from_number);
-    Some((text, state.map(words::confinement).map_or(cell, |(text, ink)| words(text, language, ink))))
+    Some((text, state.map(words::confinement).map_or(element, |(text, ink)| words(text, language, ink))))
 }
 
 /// The four values of [`Part::Extremes`]: unit, decimals, and how many places follow each.
@@ -297,7 +300,7 @@ const ENDS_OF: [(Text, Text, u32, usize); ENDS] = [
     (words::TEMPERATURE_MIN, words::CELSIUS, 0, 2),
 ];
 
-/// Returns where a cell is: box and number in it, or a number through the whole pack.
+/// Returns where an element is: box and number in it, or a number through the whole pack.
 fn place_of(places: &[Shown<i32>]) -> Option<Short> {
     let number = |place: usize| places.get(place).and_then(|shown| shown.value());
     let hash = Short::EMPTY.code(b'#');
@@ -323,7 +326,7 @@ fn title(view: &View) -> Text {
     }
 }
 
-fn head(view: &View, cells: &mut [Cell]) {
+fn head(view: &View, elements: &mut [Element]) {
     let part = match view.page {
         Page::Faults(List { position, count, .. }) | Page::History(List { position, count, .. }) => {
             (position, count)
@@ -346,15 +349,15 @@ fn head(view: &View, cells: &mut [Cell]) {
     };
     let head = [
         words(title(view), view.language, Ink::Primary),
-        Cell { content: if part.1 > 1 { of(part) } else { Content::Blank }, ink: Ink::Secondary },
-        Cell { content: gear, ink: Ink::Accent },
+        Element { content: if part.1 > 1 { of(part) } else { Content::Blank }, ink: Ink::Secondary },
+        Element { content: gear, ink: Ink::Accent },
         measure(&GRID[3], view.speed_kmh.map(i32::from), 0, words::KMH, view.language),
-        Cell {
+        Element {
             content: Content::Bar(lit),
             ink: if is_charge && view.is_charge_low { Ink::Yellow } else { Ink::Accent },
         },
     ];
-    cells.iter_mut().zip(head).for_each(|(cell, new)| *cell = new);
+    elements.iter_mut().zip(head).for_each(|(element, new)| *element = new);
 }
 
 /// Returns the letter of a gear.
@@ -414,26 +417,26 @@ pub fn looks_same(view: &View, other: &View) -> bool {
     *view == seen
 }
 
-/// Returns the cells of a view's page, in the order of its places.
-pub(crate) fn cells(view: &View) -> [Cell; MOST_CELLS] {
-    let mut cells = [Cell::BLANK; MOST_CELLS];
+/// Returns the elements of a view's page, in the order of its places.
+pub(crate) fn elements(view: &View) -> [Element; MOST_ELEMENTS] {
+    let mut elements = [Element::BLANK; MOST_ELEMENTS];
     if matches!(view.page, Page::Main) {
         if view.range != Shown::Never {
-            cells[0] = range_of(&MAIN[0], view.range);
+            elements[0] = range_of(&MAIN[0], view.range);
         }
-        return cells;
+        return elements;
     }
-    head(view, &mut cells);
-    let body = &mut cells[HEAD..];
+    head(view, &mut elements);
+    let body = &mut elements[HEAD..];
     let language = view.language;
     match &view.page {
         Page::Main => {}
         Page::Trip(_) | Page::Energy => {
-            let tiles = match view.page {
-                Page::Trip(trip) => trip_tiles(view, trip),
-                _ => energy_tiles(view),
+            let figures = match view.page {
+                Page::Trip(trip) => trip_figures(view, trip),
+                _ => energy_figures(view),
             };
-            for (pair, (text, value)) in body.chunks_exact_mut(2).zip(tiles) {
+            for (pair, (text, value)) in body.chunks_exact_mut(2).zip(figures) {
                 pair.copy_from_slice(&[words(text, language, Ink::Secondary), value]);
             }
         }
@@ -441,9 +444,9 @@ pub(crate) fn cells(view: &View) -> [Cell; MOST_CELLS] {
             for (row, listed) in body.chunks_exact_mut(3).zip(list.rows.iter().flatten()) {
                 let text = Content::Coded(said(listed.text, language), listed.code);
                 row.copy_from_slice(&[
-                    Cell { content: Content::Mark(listed.severity), ink: Ink::Primary },
-                    Cell { content: text, ink: Ink::Primary },
-                    Cell { content: Content::Short(detail(listed)), ink: Ink::Secondary },
+                    Element { content: Content::Mark(listed.severity), ink: Ink::Primary },
+                    Element { content: text, ink: Ink::Primary },
+                    Element { content: Content::Short(detail(listed)), ink: Ink::Secondary },
                 ]);
             }
             if list.rows[0].is_none() {
@@ -462,7 +465,7 @@ pub(crate) fn cells(view: &View) -> [Cell; MOST_CELLS] {
                 row.copy_from_slice(&[
                     words(text, language, Ink::Secondary),
                     measure(&EXTREMES[HEAD + 1], value, decimals, unit, language),
-                    Cell { content: at, ink: Ink::Primary },
+                    Element { content: at, ink: Ink::Primary },
                 ]);
             }
         }
@@ -479,13 +482,13 @@ pub(crate) fn cells(view: &View) -> [Cell; MOST_CELLS] {
             }
         }
     }
-    cells
+    elements
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{row::Row, theme::Palette};
+    use crate::{scanline::Scanline, theme::Palette};
     use cluster::view::Theme;
     extern crate std;
     use protocol_core::model::Severity;
@@ -497,17 +500,17 @@ mod tests {
     #[test]
     fn no_cell_lies_on_another_or_on_what_every_page_has() {
         for kind in KINDS {
-            let slots = kind.slots();
-            assert!(slots.len() <= MOST_CELLS);
-            for (index, slot) in slots.iter().enumerate() {
-                let Area { y, .. } = slot.area;
+            let places = kind.places();
+            assert!(places.len() <= MOST_ELEMENTS);
+            for (index, place) in places.iter().enumerate() {
+                let Area { y, .. } = place.area;
                 assert!(
-                    y >= 26 && slot.area.bottom() <= 189 && slot.area.right() <= crate::WIDTH,
-                    "{slot:?}"
+                    y >= 26 && place.area.bottom() <= 189 && place.area.right() <= crate::WIDTH,
+                    "{place:?}"
                 );
-                assert!(!slot.area.meets(crate::layout::HEARTBEAT), "{kind:?} {slot:?}");
-                for other in &slots[index + 1..] {
-                    assert_eq!(slot.area.common(other.area), None, "{kind:?}");
+                assert!(!place.area.meets(crate::layout::HEARTBEAT), "{kind:?} {place:?}");
+                for other in &places[index + 1..] {
+                    assert_eq!(place.area.common(other.area), None, "{kind:?}");
                 }
             }
         }
@@ -516,12 +519,16 @@ mod tests {
     /// A colour that nothing is painted in.
     const UNPAINTED: u16 = 1;
 
-    /// Returns what a cell inks when nothing cuts it, `None` = nothing.
-    fn inked(slot: &Slot, cell: &Cell) -> Option<Area> {
+    /// Returns what an element inks when nothing cuts it, `None` = nothing.
+    fn inked(place: &Place, element: &Element) -> Option<Area> {
         let mut all: Option<Area> = None;
         for y in 0..crate::HEIGHT {
             let mut pixels = [UNPAINTED; crate::WIDTH as usize];
-            slot.paint(cell, &mut Row { y, left: 0, pixels: &mut pixels }, Palette::of(Theme::Night));
+            place.paint(
+                element,
+                &mut Scanline { y, left: 0, pixels: &mut pixels },
+                Palette::of(Theme::Night),
+            );
             let mut columns = (0_u16..).zip(pixels).filter(|(_, pixel)| *pixel != UNPAINTED).map(|(x, _)| x);
             let Some(first) = columns.next() else { continue };
             let row = Area::new(first, y, columns.last().unwrap_or(first) + 1 - first, 1);
@@ -530,21 +537,21 @@ mod tests {
         all
     }
 
-    /// Returns what is wrong with the cells of a view's page.
+    /// Returns what is wrong with the elements of a view's page.
     fn misfits(view: &View) -> Vec<String> {
         let mut misfits = Vec::new();
         let kind = Kind::of(&view.page);
-        for (place, (slot, cell)) in kind.slots().iter().zip(cells(view)).enumerate() {
+        for (number, (place, element)) in kind.places().iter().zip(elements(view)).enumerate() {
             // A bar and a mark fill their rows.
-            if matches!(cell.content, Content::Bar(_) | Content::Mark(_)) {
+            if matches!(element.content, Content::Bar(_) | Content::Mark(_)) {
                 continue;
             }
-            let (width, area) = (slot.width(&cell.content), slot.area);
-            let ink = inked(slot, &cell);
+            let (width, area) = (place.width(&element.content), place.area);
+            let ink = inked(place, &element);
             if width > area.width || ink.is_some_and(|ink| ink.around(area) != area) {
                 misfits.push(format!(
-                    "{kind:?} {place}, {:?}: {:?} takes {width} pixels of {}, {ink:?} of {area:?}",
-                    view.language, cell.content, area.width
+                    "{kind:?} {number}, {:?}: {:?} takes {width} pixels of {}, {ink:?} of {area:?}",
+                    view.language, element.content, area.width
                 ));
             }
         }
@@ -626,22 +633,22 @@ mod tests {
     #[test]
     fn every_cell_of_every_page_has_room_for_the_ends_of_its_value() {
         let misfits: Vec<_> = ends().flat_map(pages).flat_map(|view| misfits(&view)).collect();
-        assert!(misfits.is_empty(), "{} cells are cut:\n{}", misfits.len(), misfits.join("\n"));
+        assert!(misfits.is_empty(), "{} elements are cut:\n{}", misfits.len(), misfits.join("\n"));
     }
 
     #[test]
     fn every_fault_has_room_in_a_list_beside_its_code() {
-        let slot = &LIST[HEAD + 1];
+        let place = &LIST[HEAD + 1];
         let own = cluster::texts::ALL.iter().map(|text| (text.zh, text.en, None));
         let faults = protocol_core::generated::VEHICLES.iter().flat_map(|vehicle| vehicle.faults);
         for (zh, en, code) in own.chain(faults.map(|fault| (fault.zh, fault.en, Some(fault.code)))) {
             for text in [zh, en] {
                 let content = Content::Coded(text, code);
                 assert!(
-                    slot.has_room_for(&content),
+                    place.has_room_for(&content),
                     "{text} {code:?} takes {} of {} pixels: shorten it",
-                    slot.width(&content),
-                    slot.area.width
+                    place.width(&content),
+                    place.area.width
                 );
             }
         }
@@ -649,16 +656,16 @@ mod tests {
 
     #[test]
     fn every_value_of_the_technical_parts_has_a_label_that_fits() {
-        let slot = &TABLE[HEAD];
+        let place = &TABLE[HEAD];
         for part in Part::ALL.iter().filter(|&&part| part != Part::Extremes) {
             for &value in part.values() {
                 let text = words::value(value);
                 for said in [text.zh, text.en] {
                     assert!(!said.is_empty(), "{} has no label", value.path());
-                    let width = slot.font.width(said);
-                    assert!(width <= slot.area.width, "{said}: {width} of {}", slot.area.width);
+                    let width = place.font.width(said);
+                    assert!(width <= place.area.width, "{said}: {width} of {}", place.area.width);
                     assert!(
-                        said.chars().all(|one| slot.font.find(one).is_some()),
+                        said.chars().all(|one| place.font.find(one).is_some()),
                         "{said}: cargo xtask fonts"
                     );
                 }
@@ -667,7 +674,7 @@ mod tests {
         for &count in Count::ALL {
             let text = words::count(count);
             assert!(
-                [text.zh, text.en].iter().all(|said| slot.font.width(said) <= slot.area.width),
+                [text.zh, text.en].iter().all(|said| place.font.width(said) <= place.area.width),
                 "{text:?}"
             );
         }
@@ -675,14 +682,14 @@ mod tests {
 
     #[test]
     fn every_state_in_a_table_has_a_word_that_fits() {
-        let slot = &TABLE[HEAD + 1];
+        let place = &TABLE[HEAD + 1];
         let contactors = Contactor::ALL.iter().map(|&state| words::contactor(state));
         let flags = Flag::ALL.iter().map(|&state| words::flag(state));
         let answers = Confinement::ALL.iter().copied().map(Some);
         let controllers = answers.chain([None]).map(words::confinement);
         for (text, _) in contactors.chain(flags).chain(controllers) {
             for said in [text.zh, text.en] {
-                assert!(!said.is_empty() && slot.font.width(said) <= slot.area.width, "{said}");
+                assert!(!said.is_empty() && place.font.width(said) <= place.area.width, "{said}");
             }
         }
     }
@@ -731,7 +738,7 @@ mod tests {
         assert_eq!(row(3_725, 12), text("+1:02:05  ×12"));
         let longest = row(u32::MAX, u16::MAX);
         assert_eq!(longest, text("+1193046:28:15  ×65535"));
-        let slot = &LIST[HEAD + 2];
-        assert!(slot.width(&Content::Short(longest)) <= slot.area.width);
+        let place = &LIST[HEAD + 2];
+        assert!(place.width(&Content::Short(longest)) <= place.area.width);
     }
 }

@@ -3,8 +3,8 @@
 use crate::{fonts::Coverage, theme::Ramp};
 
 /// A part of a screen row: widgets paint into it, nothing outside it is touched.
-pub(crate) struct Row<'a> {
-    /// Row of the screen.
+pub(crate) struct Scanline<'a> {
+    /// Scanline of the screen.
     pub(crate) y: u16,
     /// Column of the first pixel.
     pub(crate) left: u16,
@@ -12,7 +12,7 @@ pub(crate) struct Row<'a> {
     pub(crate) pixels: &'a mut [u16],
 }
 
-impl Row<'_> {
+impl Scanline<'_> {
     /// Cuts the columns `x..x + width` to this row: pixels to paint and how many were cut on the left.
     #[inline]
     pub(crate) fn cut(&mut self, x: i16, width: u16) -> (&mut [u16], usize) {
@@ -100,7 +100,7 @@ mod tests {
             for end in left..=9 {
                 let mut pixels = [9; 9];
                 let part = &mut pixels[usize::from(left)..usize::from(end)];
-                Row { y: 0, left, pixels: part }.cover(&Coverage { x: 2, width: 5, bits: BITS }, &RAMP);
+                Scanline { y: 0, left, pixels: part }.cover(&Coverage { x: 2, width: 5, bits: BITS }, &RAMP);
                 assert_eq!(
                     pixels[usize::from(left)..usize::from(end)],
                     whole[usize::from(left)..usize::from(end)],
@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn filling_reaches_exactly_the_columns() {
         let mut pixels = [0; 40];
-        Row { y: 0, left: 10, pixels: &mut pixels }.fill(13, 21, 7);
+        Scanline { y: 0, left: 10, pixels: &mut pixels }.fill(13, 21, 7);
         for (column, pixel) in (10..).zip(pixels) {
             assert_eq!(pixel == 7, (13..34).contains(&column), "{column}");
         }
