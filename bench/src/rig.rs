@@ -64,7 +64,7 @@ const RECORDS_KEPT: usize = 1 << 14;
 pub struct Heard {
     /// End of the frame.
     pub at: Nanos,
-    /// The frame.
+    /// Identifier and data as on the wire.
     pub frame: Frame,
     /// Sent by the cluster.
     pub by_cluster: bool,

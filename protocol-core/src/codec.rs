@@ -21,7 +21,7 @@ pub enum Order {
 /// When a signal is in the frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mux {
-    /// Always.
+    /// In every frame of the message.
     Always,
     /// Always, and its raw value selects the others.
     Selector,

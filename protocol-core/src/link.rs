@@ -37,7 +37,7 @@ const CRC: crc::Crc<u16> = crc::Crc::<u16>::new(&crc::CRC_16_IBM_3740);
 /// One record of the PC link.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Record {
-    /// Who speaks; sent at start and every few seconds.
+    /// Program, version and vehicle of the sender; sent at start and every few seconds.
     Hello {
         /// Version of the firmware, for example `0.1.0`.
         version: Excerpt<16>,
@@ -46,7 +46,7 @@ pub enum Record {
         /// First 32 bits of the build's identity, 0 = unknown.
         build: u32,
     },
-    /// How the firmware is; counters since power-on.
+    /// Load, worst cases and counters of the firmware since power-on.
     Health(Health),
     /// A chunk of the model's values in the order of `Value::ALL`.
     Values {

@@ -80,7 +80,7 @@ pub enum Unit {
     Charge,
     /// 1/256 km/h.
     Kmh256,
-    /// 1/8 km.
+    /// 1/8 km, as J1939 counts distance.
     Km8,
     /// 0.1 %.
     Permille,
@@ -269,7 +269,7 @@ model! {
     BatteryLow "battery.low" Flag;
     /// State of health.
     BatteryHealth "battery.health" Permille;
-    /// Rated voltage.
+    /// Nominal voltage of the pack as its nameplate has it.
     BatteryRatedVoltage "battery.rated_voltage" Decivolt;
     /// Highest cell temperature that the battery allows.
     BatteryTemperatureUpper "battery.temperature.upper" Celsius;

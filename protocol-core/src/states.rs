@@ -42,7 +42,7 @@ impl Kind {
         self.states.iter().find(|state| state.word == word)
     }
 
-    /// Returns the state that somebody means who writes it as it is known elsewhere, to name its word in an error.
+    /// Returns the state that a former or foreign spelling means, to name the right word in an error.
     ///
     /// Known elsewhere are the word in other letters, the texts, former words and the number.
     pub fn meant_by(&self, text: &str) -> Option<&'static State> {

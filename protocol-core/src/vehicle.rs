@@ -103,7 +103,7 @@ pub struct FaultText {
 /// What a node is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodeName {
-    /// The node.
+    /// Node by the DBC's transmitter.
     pub node: Node,
     /// Name in simplified Chinese.
     pub zh: &'static str,

@@ -27,7 +27,7 @@ pub enum Sound {
 /// A sound that plays now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chime {
-    /// Which sound.
+    /// Its pattern of tones.
     pub sound: Sound,
     /// Pitch in Hz.
     pub frequency_hz: u16,

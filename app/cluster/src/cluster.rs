@@ -190,7 +190,7 @@ impl Cluster {
     /// Takes a sample of both buttons.
     fn feel(&mut self, inputs: &Inputs, now: Millis) {
         match self.buttons.0.sample(inputs.buttons.next, now) {
-            // A sound ends when the finger comes, not when it goes.
+            // A button silences when it is pressed, not when it is released.
             Some(Push::Begins) if self.silence(now) => self.buttons.0.spend(),
             Some(Push::Short) => self.press(Button::Next, now),
             Some(Push::Long) => self.hold(now),
@@ -243,7 +243,7 @@ impl Cluster {
         self.reception.shown(self.vehicle, value, now)
     }
 
-    /// Returns the vehicle.
+    /// Returns the vehicle whose frames are decoded; the one without messages until one is identified.
     pub fn vehicle(&self) -> &'static Vehicle {
         self.vehicle
     }

@@ -69,7 +69,7 @@ pub struct Outcome(Result<Driver, Refused<CanSpi, CanInt>>);
 
 /// What a look at the controller asks for.
 pub enum Care {
-    /// Nothing.
+    /// Nothing to do now.
     Nothing,
     /// A frame waits although INT is high: serve the interrupt by hand.
     Poll,
@@ -77,7 +77,7 @@ pub enum Care {
     Attempt(Attempt),
 }
 
-/// How the CAN node is.
+/// Fault confinement, counters and last error of the CAN node.
 #[derive(Clone, Copy, Debug)]
 pub struct Status {
     /// The controller's counters, `None` while it does not answer.

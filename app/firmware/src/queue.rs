@@ -9,7 +9,7 @@ const ROOM: usize = 128;
 /// A frame and when it was taken from the controller.
 #[derive(Clone, Copy, Debug)]
 pub struct Stamped {
-    /// The frame.
+    /// What the controller received.
     pub frame: CanFrame,
     /// Lower 32 bits of the microseconds since start.
     pub at_us: u32,

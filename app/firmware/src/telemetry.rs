@@ -23,7 +23,7 @@ const BUILD: u32 = match option_env!("CLUSTER_BUILD") {
     None => 0,
 };
 
-/// Who speaks; no name while the vehicle is not known.
+/// Returns the identity record; without a vehicle's name until one is identified.
 pub fn hello(vehicle: &Vehicle) -> Record {
     Record::Hello { version: env!("CARGO_PKG_VERSION").into(), vehicle: vehicle.name.into(), build: BUILD }
 }
@@ -75,7 +75,7 @@ pub fn restart(boot: &Boot) -> Option<Restart> {
     }
 }
 
-/// How the firmware is.
+/// Returns the health record: load, worst cases and counters of the firmware.
 pub fn health(can: Status, counters: Counters, boot: &Boot, measured: Measured, now_ms: u64) -> Record {
     let chip = can.controller.unwrap_or_default();
     Record::Health(Health {

@@ -185,7 +185,7 @@ impl Message {
             let gap = if tail.length == 0 { 0 } else { TAIL_GAP };
             band_right(chip.width) - layout::BAND_LEFT - tail.width - gap
         };
-        // Whole words are worth more than whose turn it is.
+        // A text that is not cut comes before the count of turns.
         if (room(&tail) + 1..=room(&code)).contains(&font.width(words)) {
             tail = code;
         }

@@ -60,12 +60,12 @@ pub struct Event {
     pub kind: EventKind,
 }
 
-/// Kinds of [`Event`].
+/// What can happen on a bus segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
     /// A frame of another node is valid (end of the last but one bit of its end of frame).
     Received {
-        /// The frame.
+        /// Identifier, flags and data that were on the wire.
         frame: Frame,
     },
     /// A requested frame went out and was acknowledged (end of its end of frame).

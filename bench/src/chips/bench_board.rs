@@ -44,7 +44,7 @@ pub struct PanelWiring {
 pub struct Wiring {
     /// The CAN controller.
     pub can: CanWiring,
-    /// The panel.
+    /// SPI port and control pins of the panel.
     pub panel: PanelWiring,
     /// The buzzer's PWM pin.
     pub buzzer: Option<u8>,
@@ -59,7 +59,7 @@ pub struct Wiring {
 pub struct PwmChange {
     /// When.
     pub at: Nanos,
-    /// Frequency in Hz.
+    /// New frequency in Hz.
     pub frequency_hz: u32,
     /// High time of 65536.
     pub duty: u32,
@@ -68,7 +68,7 @@ pub struct PwmChange {
 /// Entries that each log keeps at least: minutes at full load.
 const KEPT: usize = 1 << 18;
 
-/// A board in the bench.
+/// The chips beside the RP2040 and the wires between them.
 pub struct BenchBoard {
     wiring: Wiring,
     bus: Bus,
@@ -138,7 +138,7 @@ impl BenchBoard {
         self.miso_is_cut = cut;
     }
 
-    /// The panel.
+    /// Returns the panel with what it shows.
     pub fn panel(&self) -> &Panel {
         &self.panel
     }

@@ -182,7 +182,7 @@ pub enum Answer {
     Status(u8),
     /// A frame from the bus.
     Received {
-        /// The frame.
+        /// What was received.
         frame: Frame,
         /// Milliseconds of the minute, if time stamps are on.
         stamp: Option<u16>,

@@ -114,7 +114,7 @@ const PRESETS: &[Preset] = &[
     Preset { name: "charge", zh: "插枪充电", en: "Plug in and charge", settings: CHARGE },
 ];
 
-/// Settings with which a bench begins: somebody sits there, the vehicle is READY.
+/// Settings with which a bench begins: the driver's seat is taken, the vehicle is READY.
 const BEGINNING: &[(&str, &str)] =
     &[("driver.key", "start"), ("driver.parking_brake", "off"), ("driver.seat_empty", "off")];
 

@@ -79,7 +79,7 @@ pub(super) enum Command {
     },
     /// Starts the bench again and plays a scenario of its vehicle.
     Play {
-        /// Its name.
+        /// Folder and name, as `cargo xtask scenario` takes it.
         name: String,
     },
     /// Starts or ends a recording.
@@ -411,7 +411,7 @@ impl Session {
     }
 }
 
-/// Builds a bench whose vehicle is READY: somebody has sat down and turned the key.
+/// Builds a bench whose vehicle is READY: driver's seat taken, key turned to start.
 fn build_at_ease(make: &mut Make, vehicle: Option<Kind>) -> Result<Rig> {
     let mut rig = make(vehicle)?;
     if let Some(vehicle) = rig.vehicle_mut() {

@@ -32,7 +32,7 @@ pub enum Problem {
     OutsideFlash {
         /// First address of the segment.
         address: u64,
-        /// Its bytes.
+        /// Length in bytes.
         bytes: u64,
     },
     /// It starts outside the flash of an RP2040.

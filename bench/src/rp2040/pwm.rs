@@ -1,6 +1,6 @@
 //! PWM: eight slices as frequency and duty, plus counters, wrap interrupts and wrap requests.
 //!
-//! The board hears frequency and duty of each output, not its edges. The counter follows from time when somebody looks;
+//! The board hears frequency and duty of each output, not its edges. The counter is computed from time when it is read;
 //! a wrap is an event only while an interrupt or DMA wants it.
 //!
 //! Source: RP2040 datasheet 4.5.

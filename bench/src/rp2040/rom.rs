@@ -10,7 +10,7 @@
 //! core 1's wait loop. Float and double results are correctly rounded where IEEE 754 asks for it, with denormals, which
 //! the real ROM flushes; trigonometry is the host's.
 
-/// Bytes of ROM.
+/// Length of the boot ROM, 16 KiB from address 0.
 pub(super) const ROM_BYTES: u32 = 0x4000;
 /// Where the ROM puts the second stage, which is the top of SRAM bank 5.
 pub(super) const BOOT2_RAM: u32 = 0x2004_1f00;

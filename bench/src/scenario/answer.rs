@@ -17,7 +17,7 @@ const SAME: f64 = 1e-6;
 pub enum Answer {
     /// A number in its everyday unit.
     Number(f64),
-    /// A word.
+    /// A state by its public word.
     Word(String),
     /// The last pause of this sound: it plays still, or has ended.
     Pause(String),
@@ -43,7 +43,7 @@ pub struct FoundLine {
 /// What is wanted under a name.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wanted {
-    /// This number.
+    /// This number, up to a rounding error of 1e-6.
     Number(f64),
     /// A number from the first to the second, both included.
     Range(f64, f64),

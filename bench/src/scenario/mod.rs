@@ -83,7 +83,7 @@ impl BusFault {
 pub enum Action {
     /// A control of the virtual vehicle is set.
     Set {
-        /// Its path.
+        /// Path of the control, such as `driver.key`.
         path: String,
         /// What it is set to.
         setting: Setting,

@@ -57,7 +57,7 @@ pub enum Name {
 /// A signal of a message that the cluster sends.
 #[derive(Clone, Copy, Debug)]
 pub struct Signal {
-    /// The message.
+    /// Message that carries it.
     pub message: &'static MessageInfo,
     /// The signal's place in it.
     pub index: usize,
@@ -80,7 +80,7 @@ pub(super) const PAGES: [&str; 7] = ["main", "trip_a", "trip_b", "energy", "faul
 
 /// What a name can be answered with.
 pub(super) struct Answers {
-    /// Numbers.
+    /// Whether a number may be wanted.
     pub(super) numbers: bool,
     /// These words.
     pub(super) words: Vec<String>,
@@ -89,7 +89,7 @@ pub(super) struct Answers {
 }
 
 impl Answers {
-    /// Says how somebody has to write who writes a state as it is known elsewhere.
+    /// Names the right word for a state that is written as it is known elsewhere.
     pub(super) fn spelling(&self, text: &str) -> Option<String> {
         let meant = self.kind?.meant_by(text)?;
         Some(format!("`{text}` is written `{}` here", meant.word))

@@ -20,7 +20,7 @@ pub const CAN_SPI_LIMIT_HZ: u32 = 10_000_000;
 pub const CAN_OSCILLATOR: Oscillator =
     if cfg!(feature = "crystal-16mhz") { Oscillator::Mhz16 } else { Oscillator::Mhz8 };
 
-/// The panel.
+/// The panel that the image is built for.
 pub const PANEL: Panel = if cfg!(feature = "st7789") { Panel::St7789 } else { Panel::Ili9341 };
 
 /// SPI clock of the panel. ST7789VW: 62.5 MHz is its limit (16 ns write cycle). ILI9341: its datasheet says 10 MHz,

@@ -90,7 +90,7 @@ pub struct Board {
     pub backlight: Backlight,
     /// Buzzer, silent.
     pub buzzer: Buzzer,
-    /// Buttons.
+    /// Pins of the two buttons, low = pressed.
     pub buttons: Buttons,
     /// Wires of the body.
     pub body: BodyWires,

@@ -13,7 +13,7 @@ use embedded_can::Id;
 pub struct Acceptance {
     /// Mask 0 serves filters 0 and 1 (RXB0), mask 1 serves filters 2 to 5 (RXB1).
     pub masks: [Id; 2],
-    /// Filters.
+    /// RXF0 to RXF5; the first two belong to RXB0.
     pub filters: [Id; 6],
 }
 

@@ -26,7 +26,7 @@ impl<SPI: SpiDevice> Commands<SPI> {
         self.spi
     }
 
-    /// RESET.
+    /// Sends RESET (0xC0): registers take their reset values, the chip enters configuration mode.
     pub fn reset(&mut self) -> Result<(), SPI::Error> {
         self.spi.write(&[regs::RESET])
     }
@@ -72,7 +72,7 @@ impl<SPI: SpiDevice> Commands<SPI> {
         self.spi.write(&[regs::BIT_MODIFY, register as u8, mask, value])
     }
 
-    /// READ STATUS.
+    /// Sends READ STATUS (0xA0) and returns the receive and transmit flags in one byte (figure 12-8).
     pub fn read_status(&mut self) -> Result<u8, SPI::Error> {
         let mut bytes = [regs::READ_STATUS, 0];
         self.spi.transfer_in_place(&mut bytes)?;

@@ -17,7 +17,7 @@ use embedded_hal::spi::SpiDevice;
 /// Crystal of the module. Blue modules mostly carry 8 MHz: read what is printed on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Oscillator {
-    /// 8 MHz.
+    /// 8 MHz, as most modules have it.
     Mhz8,
     /// 16 MHz.
     Mhz16,

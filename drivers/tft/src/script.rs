@@ -75,7 +75,7 @@ impl Script {
         if sent.is_err() || overflow.into_inner() { Err(Overflow) } else { Ok(script.into_inner()) }
     }
 
-    /// Returns the lines.
+    /// Returns the recorded lines, oldest first.
     pub fn lines(&self) -> &[Line] {
         &self.lines[..self.len]
     }

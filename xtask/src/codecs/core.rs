@@ -23,7 +23,7 @@ const LIMIT: u32 = 1_000_000;
 /// What a call has cost, its return included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Instructions.
+    /// Instructions executed.
     pub instructions: u32,
     /// Cycles without wait states.
     pub cycles: u32,

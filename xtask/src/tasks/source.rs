@@ -32,7 +32,7 @@ pub enum Kind {
 pub struct Task {
     /// Name of its function.
     pub name: String,
-    /// Kind.
+    /// Whether it is init, idle, a hardware or a software task.
     pub kind: Kind,
     /// The interrupt that it binds; without one it runs in the dispatcher of its priority.
     pub binds: Option<String>,

@@ -120,7 +120,7 @@ pub struct Inputs {
     pub air_front_centimpa: Option<u16>,
     /// Rear brake air reservoir in 0.01 MPa; `None` = no sensor, or one that is broken.
     pub air_rear_centimpa: Option<u16>,
-    /// Buttons.
+    /// The two buttons at the panel, true = pressed.
     pub buttons: Buttons,
     /// The CAN controller; `None` = there is none to ask.
     pub controller: Option<Controller>,

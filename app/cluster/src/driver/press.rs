@@ -1,7 +1,7 @@
-//! A button: what its wire, sampled every tick, says of the finger on it.
+//! A button: short and long presses from its wire, which is sampled every tick.
 //!
-//! A push is told at once, for what must not wait; whether it was short or long shows later. A push that has been used
-//! is neither.
+//! A press is reported at once, for what must not wait; whether it was short or long shows later. A press that has been
+//! used is neither.
 
 use super::debounce::Debounce;
 use protocol_core::Millis;
@@ -9,7 +9,7 @@ use protocol_core::Millis;
 /// How long a button is held down for a long push, in milliseconds.
 const LONG_MS: u64 = 1_000;
 
-/// What a finger does.
+/// A short or long press of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Push {
     /// The button goes down.

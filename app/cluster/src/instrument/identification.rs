@@ -45,7 +45,7 @@ pub enum Sureness {
 /// What was recognised.
 #[derive(Clone, Copy)]
 pub struct Found {
-    /// The vehicle.
+    /// Vehicle whose identifiers came.
     pub vehicle: &'static Vehicle,
     /// How sure it is.
     pub sureness: Sureness,

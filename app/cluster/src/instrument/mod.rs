@@ -13,8 +13,8 @@
 //! | `outbox`           | which frames wait, which go when the bus takes none            |
 //! | `rota`             | which faults are reported to a PC in one round                 |
 //!
-//! Until the vehicle is known the cluster is nobody's and the frames heard are kept; until it is certain nothing is
-//! sent. Refuses to know pins, controllers and clocks.
+//! Until the vehicle is known the cluster decodes no message and the frames received are kept; until it is certain
+//! nothing is sent. Refuses to know pins, controllers and clocks.
 
 pub mod bitrate;
 pub mod identification;
@@ -65,7 +65,7 @@ struct Identification {
     heard: bool,
 }
 
-/// An instrument.
+/// Everything that an instrument cluster decides.
 #[derive(Clone)]
 pub struct Instrument {
     cluster: Cluster,

@@ -9,7 +9,7 @@
 use protocol_core::model::Value;
 use protocol_core::states::{Charge, Contactor, Run};
 
-/// Colour of a telltale.
+/// Colour in which a telltale lights, by ISO 2575.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TelltaleColour {
     /// Danger: act at once.
@@ -127,12 +127,12 @@ macro_rules! telltales {
                 match self { $(Self::$name => $en),* }
             }
 
-            /// Returns the colour.
+            /// Returns the colour it lights in.
             pub const fn colour(self) -> TelltaleColour {
                 match self { $(Self::$name => TelltaleColour::$colour),* }
             }
 
-            /// Returns the place.
+            /// Returns where it stands on the panel.
             pub const fn place(self) -> Place {
                 match self { $(Self::$name => $place),* }
             }

@@ -17,7 +17,7 @@ pub use protocol_core::states::Plug;
 pub struct Text {
     /// Simplified Chinese.
     pub zh: &'static str,
-    /// English.
+    /// English, as short as the panel needs it.
     pub en: &'static str,
 }
 
@@ -201,7 +201,7 @@ pub struct View {
     pub telltales: Telltales,
     /// Drive power or torque is limited.
     pub is_power_limited: bool,
-    /// The charge is low.
+    /// The low-charge telltale's condition holds: the bar takes its colour.
     pub is_charge_low: bool,
     /// Worst severity that is active.
     pub severity: Severity,
@@ -209,7 +209,7 @@ pub struct View {
     pub line: Option<Line>,
     /// Toggles every half second while the firmware lives: a frozen screen is noticed.
     pub heartbeat: bool,
-    /// Language.
+    /// Language of every text on the panel.
     pub language: Language,
     /// Colours.
     pub theme: Theme,

@@ -155,7 +155,7 @@ pub enum Count {
     Sent,
     /// Frames whose values were stored.
     Stored,
-    /// Frames of nobody's.
+    /// Frames with an identifier that the vehicle's table does not have.
     Unknown,
     /// Frames that the controller or the queue had no room for.
     Lost,

@@ -124,7 +124,7 @@ impl DialPixel {
         self.0 & 0x3FF
     }
 
-    /// Returns the coverage, 0..=15.
+    /// Returns how much of the pixel is inked, 0 to 15.
     #[inline]
     pub(crate) const fn coverage(self) -> u16 {
         self.0 >> 10 & 15

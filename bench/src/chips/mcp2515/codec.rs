@@ -14,7 +14,7 @@ const RTR: u8 = 1 << 6;
 /// Identifier registers in the order SIDH, SIDL, EID8, EID0.
 pub(super) type IdRegisters = [u8; 4];
 
-/// The 11 standard bits.
+/// Returns the 11 bits of the base identifier (SIDH, SIDL).
 pub(super) fn standard_bits(regs: IdRegisters) -> u16 {
     u16::from(regs[0]) << 3 | u16::from(regs[1]) >> 5
 }

@@ -58,7 +58,7 @@ pub enum Controller {
 /// The module: controller, glass and how it is mounted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Config {
-    /// The controller.
+    /// Chip on the panel: decides reset values and commands.
     pub controller: Controller,
     /// MADCTL (MY, MX, MV) under which a 320 x 240 picture stands upright in the housing.
     pub upright_madctl: u8,
@@ -91,7 +91,7 @@ impl Config {
 pub struct Counters {
     /// Bytes clocked while selected; a 16-bit word is two.
     pub bytes: u64,
-    /// Commands.
+    /// Commands received since power-on.
     pub commands: u64,
     /// Falling edges of CS.
     pub transactions: u64,
@@ -110,7 +110,7 @@ struct Span {
     end: u16,
 }
 
-/// The panel.
+/// A panel: its controller's registers and frame memory.
 #[derive(Clone, Debug)]
 pub struct Panel {
     config: Config,
