@@ -122,7 +122,7 @@ pub fn build(options: &Options) -> Result<Image> {
         command.env("CLUSTER_VEHICLE", Tables::named(name)?.vehicle.name);
     }
     command.args(["--config", &short_paths()]).args(toolchain.arguments());
-    let built = workspace::target().join(TARGET).join("firmware/cluster");
+    let built = workspace::target().join(TARGET).join("firmware").join("firmware");
     let name = options.name();
     let patience = if built.exists() { "" } else { "; the first time this takes some minutes" };
     note!("building the firmware: {name}{patience}");
