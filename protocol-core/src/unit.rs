@@ -46,6 +46,13 @@ impl Unit {
         self.scale().symbol
     }
 
+    /// Returns `counts` as a decimal number in the everyday unit: a whole number of which the last figures, as many as
+    /// the second says, stand behind the point. Rounded towards zero where the unit is binary.
+    pub const fn decimal(self, counts: i32) -> (i64, u32) {
+        let Scale { numerator, denominator, decimals, .. } = self.scale();
+        (counts as i64 * numerator * 10_i64.pow(decimals) / denominator, decimals)
+    }
+
     /// Returns `counts` for printing: `48.5 km/h`, `yes`, `D`.
     pub const fn show(self, counts: i32) -> Reader {
         Reader { unit: self, counts }
@@ -64,9 +71,8 @@ impl fmt::Display for Reader {
         if let Some(state) = self.unit.kind().and_then(|kind| kind.of_number(self.counts)) {
             return f.write_str(state.word);
         }
-        let Scale { numerator, denominator, decimals, symbol } = self.unit.scale();
-        let ten = 10_i64.pow(decimals);
-        let scaled = i64::from(self.counts) * numerator * ten / denominator;
+        let (scaled, decimals) = self.unit.decimal(self.counts);
+        let (ten, symbol) = (10_i64.pow(decimals), self.unit.symbol());
         let sign = if scaled < 0 { "-" } else { "" };
         let (whole, rest) = (scaled.unsigned_abs() / ten as u64, scaled.unsigned_abs() % ten as u64);
         write!(f, "{sign}{whole}")?;

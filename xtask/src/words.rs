@@ -4,18 +4,7 @@
 
 /// Returns what a page's number stands for.
 pub fn page(number: u8) -> String {
-    match number {
-        0 => "main".into(),
-        1 => "trip A".into(),
-        2 => "trip B".into(),
-        3 => "energy".into(),
-        4 => "faults".into(),
-        5 => "history".into(),
-        _ => {
-            let part = usize::from(number - 6);
-            cluster::page::Part::ALL.get(part).map_or(number.to_string(), word)
-        }
-    }
+    cluster::page::key_of(number).map_or(number.to_string(), str::to_owned)
 }
 
 /// Returns the name of a variant as words: `LowCharge` -> `low charge`.

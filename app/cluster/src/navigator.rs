@@ -12,7 +12,7 @@
 //! Source: BUS-R060, BUS-R120, BUS-R124, BUS-R126, BUS-R143; reading BUS-43.
 
 use crate::view::Plug;
-use crate::view::page::{Part, ROWS, Trip};
+use crate::view::page::{Chapter, ROWS, Trip};
 use protocol_core::Millis;
 use protocol_core::model::Shown;
 
@@ -31,7 +31,7 @@ pub(crate) enum Leaf {
     Faults(u8),
     /// Part of the list, from 0.
     History(u8),
-    /// Place in [`Part::ALL`].
+    /// Place in [`Chapter::ALL`].
     Technic(u8),
 }
 
@@ -42,8 +42,8 @@ pub(crate) struct Contents {
     pub(crate) faults: usize,
     /// Remembered faults.
     pub(crate) history: usize,
-    /// Technical parts of which the vehicle sends something, bit n = n-th of [`Part::ALL`].
-    pub(crate) parts: u8,
+    /// Chapters of which the vehicle sends something, bit n = n-th of [`Chapter::ALL`].
+    pub(crate) chapters: u16,
 }
 
 /// Returns the parts of a list of `rows`; an empty list says so on one.
@@ -52,8 +52,8 @@ pub(crate) fn parts_of(rows: usize) -> u8 {
 }
 
 impl Contents {
-    fn first_part(self, from: u8) -> Option<u8> {
-        (from..Part::ALL.len() as u8).find(|&part| self.parts >> part & 1 != 0)
+    fn first_chapter(self, from: u8) -> Option<u8> {
+        (from..Chapter::ALL.len() as u8).find(|&chapter| self.chapters >> chapter & 1 != 0)
     }
 
     /// Returns the page behind `leaf`.
@@ -66,8 +66,8 @@ impl Contents {
             Leaf::Faults(part) if part + 1 < parts_of(self.faults) => Leaf::Faults(part + 1),
             Leaf::Faults(_) => Leaf::History(0),
             Leaf::History(part) if part + 1 < parts_of(self.history) => Leaf::History(part + 1),
-            Leaf::History(_) => self.first_part(0).map_or(Leaf::Main, Leaf::Technic),
-            Leaf::Technic(part) => self.first_part(part + 1).map_or(Leaf::Main, Leaf::Technic),
+            Leaf::History(_) => self.first_chapter(0).map_or(Leaf::Main, Leaf::Technic),
+            Leaf::Technic(chapter) => self.first_chapter(chapter + 1).map_or(Leaf::Main, Leaf::Technic),
         }
     }
 }

@@ -144,7 +144,7 @@ impl Place {
             Content::Words(text) => self.font.width(text),
             Content::Short(short) => width(self.font, short.characters()),
             Content::Measure(short, unit) => {
-                width(self.font, short.characters()) + GAP + fonts::LABEL.width(unit)
+                width(self.font, short.characters()) + GAP + fonts::LABEL.width(unit) + overhang(unit)
             }
             Content::Coded(text, code) => {
                 let code = code.map_or(0, |code| GAP + width(self.font, number(code).characters()));
@@ -214,6 +214,14 @@ impl Place {
             }
         }
     }
+}
+
+/// Returns how far the last letter of a unit reaches over its width, pixels.
+fn overhang(unit: &str) -> u16 {
+    let last = unit.chars().next_back().and_then(|one| fonts::LABEL.glyph(fonts::LABEL.find(one)?));
+    let reach =
+        last.map_or(0, |glyph| i16::from(glyph.left) + i16::from(glyph.width) - i16::from(glyph.advance));
+    reach.max(0) as u16
 }
 
 fn number(code: u16) -> Short {

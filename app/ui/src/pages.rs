@@ -15,11 +15,11 @@ use crate::{
 };
 use cluster::{
     Page, Trip, View,
-    page::{Count, Part},
+    page::{Chapter, Count, Item},
     view::{Charging, Journey, Language, List, Listed, Range, Sheet, Text},
 };
-use protocol_core::model::{Gear, Shown, Unit, Value};
-use protocol_core::states::{Confinement, Contactor, Flag};
+use protocol_core::model::{Gear, Shown};
+use protocol_core::states::Confinement;
 
 /// Pages with the same places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl Kind {
             Page::Main => Self::Main,
             Page::Trip(_) | Page::Energy => Self::Grid,
             Page::Faults(_) | Page::History(_) => Self::List,
-            Page::Technic(Sheet { part: Part::Extremes, .. }) => Self::Extremes,
+            Page::Technic(Sheet { chapter: Chapter::Extremes, .. }) => Self::Extremes,
             Page::Technic(_) => Self::Table,
         }
     }
@@ -259,40 +259,49 @@ fn detail(row: &Listed) -> Short {
     time.code(b' ').code(b' ').code(0xD7).number(row.count.into(), 1)
 }
 
-/// Returns the label and the value of a line of a table, `None` for what the vehicle does not have.
-fn line_of(text: Text, unit: Option<Unit>, shown: Shown<i32>, language: Language) -> Option<(Text, Element)> {
-    let state = match (unit, shown.value()) {
-        (Some(Unit::Contactor), Some(number)) => Contactor::from_number(number).map(words::contactor),
-        (Some(Unit::Flag), Some(number)) => Flag::from_number(number).map(words::flag),
-        _ => None,
-    };
+/// Returns label and value of an item of a chapter, `None` for what the vehicle does not have.
+fn item_line(item: &Item, shown: Shown<i32>, language: Language) -> Option<Labelled> {
+    let unit = item.value.unit();
+    let state = shown.value().and_then(|number| words::state(unit, number, item.warns));
     let element = match (state, shown) {
         (_, Shown::Never) => return None,
         (Some((word, ink)), _) => words(word, language, ink),
-        (_, Shown::Value(0)) => {
-            Element { content: Content::Short(Short::shown(shown, 0)), ink: Ink::Secondary }
-        }
-        _ => {
-            let whole = Content::Short(Short::shown(shown, 0));
-            let content = match shown {
-                Shown::Value(number) if !TABLE[HEAD + 1].has_room_for(&whole) => {
-                    Content::Short(Short::EMPTY.decimal(number / 1_000_000, 0).code(b'M'))
-                }
-                _ => whole,
-            };
-            Element { content, ink: ink_of(shown) }
+        (None, _) if unit.symbol().is_empty() => count_of(shown),
+        (None, _) => {
+            let decimals = unit.decimal(0).1;
+            let of = |number| i32::try_from(unit.decimal(number).0).unwrap_or(i32::MAX);
+            measure(&TABLE[HEAD + 1], shown.map(of), decimals, words::same(unit.symbol()), language)
         }
     };
-    Some((text, element))
+    Some((item.label, element))
 }
 
-fn bus_line(count: Count, shown: Shown<i32>, language: Language) -> Option<(Text, Element)> {
-    let (text, element) = line_of(words::count(count), None, shown, language)?;
-    let state = shown.value().filter(|_| count == Count::State).map(Confinement::from_number);
-    Some((text, state.map(words::confinement).map_or(element, |(text, ink)| words(text, language, ink))))
+/// Returns a count or a code, in millions if there is no room for all of it; 0 stands back.
+fn count_of(shown: Shown<i32>) -> Element {
+    let whole = Content::Short(Short::shown(shown, 0));
+    let content = match shown {
+        Shown::Value(number) if !TABLE[HEAD + 1].has_room_for(&whole) => {
+            Content::Short(Short::EMPTY.decimal(number / 1_000_000, 0).code(b'M'))
+        }
+        _ => whole,
+    };
+    let ink = if shown == Shown::Value(0) { Ink::Secondary } else { ink_of(shown) };
+    Element { content, ink }
 }
 
-/// The four values of [`Part::Extremes`]: unit, decimals, and how many places follow each.
+fn bus_line(count: Count, shown: Shown<i32>, language: Language) -> Option<Labelled> {
+    let element = match (count, shown) {
+        (_, Shown::Never) => return None,
+        (Count::State, Shown::Value(number)) => {
+            let (text, ink) = words::confinement(Confinement::from_number(number));
+            words(text, language, ink)
+        }
+        _ => count_of(shown),
+    };
+    Some((words::count(count), element))
+}
+
+/// The four values of [`Chapter::Extremes`]: unit, decimals, and how many places follow each.
 const ENDS_OF: [(Text, Text, u32, usize); ENDS] = [
     (words::CELL_MAX, words::VOLT, 3, 3),
     (words::CELL_MIN, words::VOLT, 3, 3),
@@ -322,7 +331,7 @@ fn title(view: &View) -> Text {
         },
         Page::Faults(_) => words::FAULTS,
         Page::History(_) => words::HISTORY,
-        Page::Technic(sheet) => words::part(sheet.part),
+        Page::Technic(sheet) => sheet.chapter.title(),
     }
 }
 
@@ -453,8 +462,8 @@ pub(crate) fn elements(view: &View) -> [Element; MOST_ELEMENTS] {
                 body[1] = words(words::NO_FAULTS, language, Ink::Secondary);
             }
         }
-        Page::Technic(sheet) if sheet.part == Part::Extremes => {
-            let mut values = sheet.cells.as_slice();
+        Page::Technic(sheet) if sheet.chapter == Chapter::Extremes => {
+            let mut values = sheet.values.as_slice();
             for (row, (text, unit, decimals, places)) in body.chunks_exact_mut(3).zip(ENDS_OF) {
                 let Some((&value, rest)) = values.split_first() else { break };
                 let (at, rest) = rest.split_at(places.min(rest.len()));
@@ -470,13 +479,11 @@ pub(crate) fn elements(view: &View) -> [Element; MOST_ELEMENTS] {
             }
         }
         Page::Technic(sheet) => {
-            let line = |(value, shown): (&Value, &Shown<i32>)| {
-                line_of(words::value(*value), Some(value.unit()), *shown, language)
-            };
-            let values = sheet.part.values().iter().zip(&sheet.cells).filter_map(line);
-            let is_bus = sheet.part == Part::Bus;
-            let counts = Count::ALL.iter().zip(&sheet.cells).filter(|_| is_bus);
-            let lines = values.chain(counts.filter_map(|(&count, &shown)| bus_line(count, shown, language)));
+            let items = sheet.chapter.items().iter().zip(&sheet.values);
+            let items = items.filter_map(|(item, &shown)| item_line(item, shown, language));
+            let is_bus = sheet.chapter == Chapter::Bus;
+            let counts = Count::ALL.iter().zip(&sheet.values).filter(|_| is_bus);
+            let lines = items.chain(counts.filter_map(|(&count, &shown)| bus_line(count, shown, language)));
             for (pair, (text, value)) in body.chunks_exact_mut(2).zip(lines) {
                 pair.copy_from_slice(&[words(text, language, Ink::Secondary), value]);
             }
@@ -585,8 +592,8 @@ mod tests {
             position: 99,
             count: 99,
         };
-        let sheet = |&part: &Part| {
-            Page::Technic(Sheet { part, cells: [shown; cluster::page::CELLS], position: 99, count: 99 })
+        let sheet = |&chapter: &Chapter| {
+            Page::Technic(Sheet { chapter, values: [shown; cluster::page::VALUES], position: 99, count: 99 })
         };
         let trips = [Page::Main, Page::Trip(Trip::A), Page::Trip(Trip::B), Page::Energy];
         let lists = [Page::Faults(list(Severity::Stop)), Page::History(list(Severity::Warn))];
@@ -599,7 +606,7 @@ mod tests {
                 minutes_left: small.value(),
             })
         });
-        let pages = trips.into_iter().chain(lists).chain(Part::ALL.iter().map(sheet));
+        let pages = trips.into_iter().chain(lists).chain(Chapter::ALL.iter().map(sheet));
         let mut views = Vec::new();
         for page in pages {
             for language in [Language::Chinese, Language::English] {
@@ -655,12 +662,12 @@ mod tests {
     }
 
     #[test]
-    fn every_value_of_the_technical_parts_has_a_label_that_fits() {
+    fn every_value_of_a_chapter_has_a_label_that_fits() {
         let place = &TABLE[HEAD];
-        for part in Part::ALL.iter().filter(|&&part| part != Part::Extremes) {
-            for &value in part.values() {
-                let text = words::value(value);
-                for said in [text.zh, text.en] {
+        for chapter in Chapter::ALL.iter().filter(|&&chapter| chapter != Chapter::Extremes) {
+            assert!(chapter.items().len() <= 2 * LINES, "{chapter:?} has more lines than its page");
+            for Item { value, label, .. } in chapter.items() {
+                for said in [label.zh, label.en] {
                     assert!(!said.is_empty(), "{} has no label", value.path());
                     let width = place.font.width(said);
                     assert!(width <= place.area.width, "{said}: {width} of {}", place.area.width);
@@ -683,11 +690,15 @@ mod tests {
     #[test]
     fn every_state_in_a_table_has_a_word_that_fits() {
         let place = &TABLE[HEAD + 1];
-        let contactors = Contactor::ALL.iter().map(|&state| words::contactor(state));
-        let flags = Flag::ALL.iter().map(|&state| words::flag(state));
+        let items = Chapter::ALL.iter().flat_map(|chapter| chapter.items());
+        let states = items.flat_map(|item| {
+            let unit = item.value.unit();
+            let numbers = unit.kind().into_iter().flat_map(|kind| kind.states).map(|state| state.number);
+            numbers.filter_map(move |number| words::state(unit, number, item.warns))
+        });
         let answers = Confinement::ALL.iter().copied().map(Some);
         let controllers = answers.chain([None]).map(words::confinement);
-        for (text, _) in contactors.chain(flags).chain(controllers) {
+        for (text, _) in states.chain(controllers) {
             for said in [text.zh, text.en] {
                 assert!(!said.is_empty() && place.font.width(said) <= place.area.width, "{said}");
             }
@@ -696,12 +707,6 @@ mod tests {
 
     #[test]
     fn a_state_reads_on_the_panel_as_in_its_row() {
-        for &state in Contactor::ALL {
-            assert_eq!(words::contactor(state).0, Text { zh: state.zh(), en: state.en() });
-        }
-        for &state in Flag::ALL {
-            assert_eq!(words::flag(state).0, Text { zh: state.zh(), en: state.en() });
-        }
         for &state in Plug::ALL {
             assert_eq!(words::plug(state), Text { zh: state.zh(), en: state.en() });
         }

@@ -1,10 +1,10 @@
 //! The fixed words of the screens, in both languages.
 
 use crate::theme::Ink;
-use cluster::page::{Count, Part};
+use cluster::page::Count;
 use cluster::view::Text;
-use protocol_core::model::Value;
-use protocol_core::states::{Confinement, Contactor, Flag, Plug};
+use protocol_core::model::Unit;
+use protocol_core::states::{Check, Confinement, Contactor, Flag, Plug, Run, State};
 
 /// Motor temperature.
 pub(crate) const MOTOR: Text = Text { zh: "电机", en: "Motor" };
@@ -101,46 +101,6 @@ const fn text(zh: &'static str, en: &'static str) -> Text {
     Text { zh, en }
 }
 
-/// Returns the title of a technical part.
-pub(crate) const fn part(part: Part) -> Text {
-    match part {
-        Part::Relays => text("整车继电器", "Vehicle relays"),
-        Part::Contactors => text("电池接触器", "Battery contactors"),
-        Part::Box => text("高压控制盒", "Contactor box"),
-        Part::Codes => text("部件故障代码", "Component codes"),
-        Part::Extremes => text("单体极值", "Cell extremes"),
-        Part::Bus => text("CAN 总线", "CAN bus"),
-    }
-}
-
-/// Returns the label of a value in a table; no words = it stands in none.
-pub(crate) const fn value(value: Value) -> Text {
-    match value {
-        Value::RelayBattery | Value::ContactorMain => text("电池总正", "Main"),
-        Value::RelayMotor | Value::BoxMotor => text("电机", "Motor"),
-        Value::RelayPrecharge | Value::BoxMotorPrecharge => text("电机预充", "Motor pre."),
-        Value::RelayAccessory | Value::BoxAccessory => text("附件", "Accessory"),
-        Value::RelayAccessoryPrecharge | Value::BoxAccessoryPrecharge => text("附件预充", "Access. pre."),
-        Value::RelayDefrost | Value::BoxDefrost => text("除霜", "Defrost"),
-        Value::RelayCharge => text("充电", "Charge"),
-        Value::RelayCutoff => text("高压急断", "HV cut-off"),
-        Value::ContactorNegative => text("总负", "Negative"),
-        Value::ContactorCharge1 | Value::BoxCharge1 => text("充电 1", "Charge 1"),
-        Value::ContactorCharge2 | Value::BoxCharge2 => text("充电 2", "Charge 2"),
-        Value::ContactorHeater | Value::BoxHeater => text("加热", "Heater"),
-        Value::BoxBattery => text("电池", "Battery"),
-        Value::VehicleFaultCode => text("整车", "Vehicle"),
-        Value::BatteryFaultCode => text("电池", "Battery"),
-        Value::MotorFaultCode => text("电机", "Motor"),
-        Value::SteeringFaultCode => text("助力", "Steering"),
-        Value::DcdcFaultCode => same("DCDC"),
-        Value::CompressorFaultCode => text("空压机", "Compressor"),
-        Value::InsulationFaultCode => text("绝缘", "Insulation"),
-        Value::ChargerFaultCode => text("充电机", "Charger"),
-        _ => same(""),
-    }
-}
-
 /// Returns the label of a counter of the bus.
 pub(crate) const fn count(count: Count) -> Text {
     match count {
@@ -166,21 +126,38 @@ pub(crate) const fn plug(plug: Plug) -> Text {
     }
 }
 
-/// Returns the word for a contactor, and its ink.
-pub(crate) const fn contactor(contactor: Contactor) -> (Text, Ink) {
-    match contactor {
-        Contactor::Open => (text("断开", "Open"), Ink::Secondary),
-        Contactor::Closed => (text("闭合", "Closed"), Ink::Accent),
-        Contactor::Welded => (text("粘连", "Welded"), Ink::Red),
-        Contactor::Fault => (text("故障", "Fault"), Ink::Red),
-    }
+/// Returns the word for a state that a value of this unit is, and its ink; `None` = it is a number. `warns` = "yes" is a
+/// warning.
+pub(crate) fn state(unit: Unit, number: i32, warns: bool) -> Option<(Text, Ink)> {
+    let State { zh, en, .. } = unit.kind()?.of_number(number)?;
+    let ink = match unit {
+        Unit::Contactor => match Contactor::from_number(number)? {
+            Contactor::Open => Ink::Secondary,
+            Contactor::Closed => Ink::Accent,
+            Contactor::Welded | Contactor::Fault => Ink::Red,
+        },
+        Unit::Flag if warns && number == Flag::Yes.number() => Ink::Red,
+        Unit::Run if number == Run::Fault.number() => Ink::Red,
+        Unit::Check if number == Check::Fault.number() => Ink::Red,
+        Unit::Flag if number == Flag::No.number() => Ink::Secondary,
+        Unit::Run if number == Run::Stopped.number() => Ink::Secondary,
+        _ => Ink::Primary,
+    };
+    let en = match unit {
+        Unit::Check => short_check(Check::from_number(number)?),
+        _ => en,
+    };
+    Some((Text { zh, en }, ink))
 }
 
-/// Returns the word for a flag, and its ink: those of the tables warn.
-pub(crate) const fn flag(flag: Flag) -> (Text, Ink) {
-    match flag {
-        Flag::No => (text("否", "No"), Ink::Secondary),
-        Flag::Yes => (text("是", "Yes"), Ink::Red),
+/// Returns the word for a step of the battery's check of itself, as it has room in a table.
+const fn short_check(check: Check) -> &'static str {
+    match check {
+        Check::Unknown => "n/a",
+        Check::Precharging => "Pre-chg.",
+        Check::Precharged => "Done",
+        Check::Calibration => "Calibr.",
+        Check::Fault => "Fault",
     }
 }
 

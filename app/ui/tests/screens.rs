@@ -5,7 +5,9 @@
 mod common;
 
 use cluster::{
-    Page, Telltale, Telltales, Trip, View, texts,
+    Page, Telltale, Telltales, Trip, View,
+    page::Chapter,
+    texts,
     view::{Journey, Limp, Line, List, Plug, Sheet},
 };
 use common::{Panel, day, english, lamps, line, list, missing, on, plugged, sheets, travelled};
@@ -164,8 +166,12 @@ fn limp_view() -> View {
     }
 }
 
-fn technic_view(place: usize) -> View {
-    on(Page::Technic(sheets()[place]), common::driving())
+fn chapter_view(chapter: Chapter) -> View {
+    on(Page::Technic(sheet_of(chapter)), common::driving())
+}
+
+fn sheet_of(chapter: Chapter) -> Sheet {
+    sheets().into_iter().find(|sheet| sheet.chapter == chapter).expect("every chapter has a sheet")
 }
 
 screens! {
@@ -328,21 +334,31 @@ screens! {
     faults_none: on(Page::Faults(List { position: 1, count: 1, ..List::default() }), travelled());
     history: on(Page::History(List { position: 2, ..list() }), travelled());
     history_en: english(on(Page::History(List { position: 2, ..list() }), travelled()));
-    relays: technic_view(0);
-    relays_en: english(technic_view(0));
-    contactors: technic_view(1);
-    contactors_en: english(technic_view(1));
-    contactor_box: technic_view(2);
-    contactor_box_en: english(technic_view(2));
-    codes: technic_view(3);
-    codes_day_en: day(english(technic_view(3)));
-    extremes: technic_view(4);
-    extremes_en: english(technic_view(4));
-    bus_counters: technic_view(5);
-    bus_counters_en: english(technic_view(5));
+    relays: chapter_view(Chapter::Relays);
+    relays_en: english(chapter_view(Chapter::Relays));
+    contactors: chapter_view(Chapter::Contactors);
+    contactors_en: english(chapter_view(Chapter::Contactors));
+    contactor_box: chapter_view(Chapter::Box);
+    contactor_box_en: english(chapter_view(Chapter::Box));
+    codes: chapter_view(Chapter::Codes);
+    codes_day_en: day(english(chapter_view(Chapter::Codes)));
+    extremes: chapter_view(Chapter::Extremes);
+    extremes_en: english(chapter_view(Chapter::Extremes));
+    bus_counters: chapter_view(Chapter::Bus);
+    bus_counters_en: english(chapter_view(Chapter::Bus));
+    controls: chapter_view(Chapter::Controls);
+    controls_en: english(chapter_view(Chapter::Controls));
+    drive_en: english(chapter_view(Chapter::Drive));
+    battery: chapter_view(Chapter::Battery);
+    battery_en: english(chapter_view(Chapter::Battery));
+    nameplate_day: day(chapter_view(Chapter::Nameplate));
+    supply_en: english(chapter_view(Chapter::Supply));
+    pumps: chapter_view(Chapter::Pumps);
+    pumps_en: english(chapter_view(Chapter::Pumps));
+    climate_day_en: day(english(chapter_view(Chapter::Climate)));
     /// A sender that is silent looks silent here too.
     relays_stale: on(
-        Page::Technic(Sheet { cells: [Shown::Stale; cluster::page::CELLS], ..sheets()[0] }),
+        Page::Technic(Sheet { values: [Shown::Stale; cluster::page::VALUES], ..sheet_of(Chapter::Relays) }),
         common::driving(),
     );
 }

@@ -131,10 +131,10 @@ impl Random {
                 list.rows.sort_by_key(Option::is_none);
                 list.count = 1 + self.below(9) as u8;
             }
-            Page::Technic(Sheet { cells, .. }) => {
-                let cell = self.below(cells.len() as u32) as usize;
+            Page::Technic(Sheet { values, .. }) => {
+                let place = self.below(values.len() as u32) as usize;
                 let high = [4, 5_000, i32::MAX - 1][self.below(3) as usize];
-                cells[cell] = self.shown(0, high, |v| v);
+                values[place] = self.shown(0, high, |v| v);
             }
             Page::Main | Page::Trip(_) | Page::Energy => {}
         }

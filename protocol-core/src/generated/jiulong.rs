@@ -3983,8 +3983,6 @@ fn decode_vcu1(source: u8, data: &[u8; 8], readings: &mut Readings) {
     readings.put(source, Value::VehicleBrake, (raw as i32) * 4, raw <= 250);
     let raw = frame.foot_brake_raw();
     readings.put(source, Value::VehicleFootBrake, raw as i32, true);
-    let raw = frame.handbrake_raw();
-    readings.put(source, Value::VehicleParkingBrake, raw as i32, true);
     let state = STATES_0[(frame.vcu_fault_level_raw() & 3) as usize];
     readings.put(source, Value::VehicleControllerLevel, state, state != INVALID);
     let raw = frame.economy_mode_raw();
@@ -4003,6 +4001,8 @@ fn decode_vcu1(source: u8, data: &[u8; 8], readings: &mut Readings) {
     readings.put(source, Value::CompressorState, raw as i32, true);
     let raw = frame.air_conditioning_raw();
     readings.put(source, Value::HvacOn, raw as i32, true);
+    let raw = frame.handbrake_raw();
+    readings.put(source, Value::BodyParkingBrake, raw as i32, true);
 }
 
 fn decode_bms_status(source: u8, data: &[u8; 8], readings: &mut Readings) {

@@ -4,7 +4,7 @@ use super::Cluster;
 use crate::driver::inputs::Controller;
 use crate::history::Entry;
 use crate::navigator::{Contents, Leaf, parts_of};
-use crate::view::page::{CELLS, Count, Page, Part, ROWS};
+use crate::view::page::{Chapter, Count, Page, ROWS, VALUES};
 use crate::view::{ActiveFault, List, Listed, Sheet};
 use protocol_core::Millis;
 use protocol_core::model::{Severity, Shown};
@@ -12,15 +12,16 @@ use protocol_core::model::{Severity, Shown};
 impl Cluster {
     /// Returns how much there is to turn through.
     pub(super) fn contents(&self) -> Contents {
-        let is_sent = |part: &Part| {
-            *part == Part::Bus
-                || part.values().iter().any(|&value| self.reception.readings.get(value).is_some())
+        let is_sent = |chapter: &Chapter| {
+            *chapter == Chapter::Bus
+                || chapter.items().iter().any(|item| self.reception.readings.get(item.value).is_some())
         };
-        let bits = Part::ALL.iter().enumerate().map(|(place, part)| u8::from(is_sent(part)) << place);
+        let bits =
+            Chapter::ALL.iter().enumerate().map(|(place, chapter)| u16::from(is_sent(chapter)) << place);
         Contents {
             faults: self.faults.count(),
             history: self.faults.history().iter().len(),
-            parts: bits.fold(0, |all, bit| all | bit),
+            chapters: bits.fold(0, |all, bit| all | bit),
         }
     }
 
@@ -52,18 +53,21 @@ impl Cluster {
                 Page::History(list(rows, part, count))
             }
             Leaf::Technic(place) => {
-                let parts = self.contents().parts;
-                let part = Part::ALL.get(usize::from(place)).copied().unwrap_or_default();
-                let mut cells = [Shown::Never; CELLS];
-                if part == Part::Bus {
-                    cells.iter_mut().zip(Count::ALL).for_each(|(cell, &count)| *cell = self.count(count));
+                let chapters = self.contents().chapters;
+                let chapter = Chapter::ALL.get(usize::from(place)).copied().unwrap_or_default();
+                let mut values = [Shown::Never; VALUES];
+                if chapter == Chapter::Bus {
+                    values.iter_mut().zip(Count::ALL).for_each(|(value, &count)| *value = self.count(count));
                 } else {
-                    let values = part.values().iter();
-                    cells.iter_mut().zip(values).for_each(|(cell, &value)| *cell = self.shown(value, now));
+                    let items = chapter.items().iter();
+                    values
+                        .iter_mut()
+                        .zip(items)
+                        .for_each(|(value, item)| *value = self.shown(item.value, now));
                 }
-                let before = parts & ((1 << place) - 1);
-                let (position, count) = (before.count_ones() as u8 + 1, parts.count_ones() as u8);
-                Page::Technic(Sheet { part, cells, position, count })
+                let before = chapters & ((1 << place) - 1);
+                let (position, count) = (before.count_ones() as u8 + 1, chapters.count_ones() as u8);
+                Page::Technic(Sheet { chapter, values, position, count })
             }
         }
     }

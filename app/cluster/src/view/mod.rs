@@ -6,7 +6,7 @@ pub mod page;
 
 use crate::history::Source;
 use crate::telltales::Telltales;
-use page::{CELLS, Page, Part, ROWS};
+use page::{Chapter, Page, ROWS, VALUES};
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Severity, Shown};
 
@@ -99,16 +99,16 @@ pub struct List {
     pub count: u8,
 }
 
-/// The part of the technical page that is shown.
+/// The chapter of the technical page that is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sheet {
-    /// Which one.
-    pub part: Part,
-    /// Its values, in the order of [`Part::values`] or of [`Count`](page::Count); the rest is never seen.
-    pub cells: [Shown<i32>; CELLS],
-    /// This part's number among those that the vehicle has, from 1.
+    /// Which values these are.
+    pub chapter: Chapter,
+    /// Its values, in the order of [`Chapter::items`] or of [`Count`](page::Count); the rest is never seen.
+    pub values: [Shown<i32>; VALUES],
+    /// This chapter's number among those that the vehicle has, from 1.
     pub position: u8,
-    /// How many parts the vehicle has.
+    /// How many chapters the vehicle has.
     pub count: u8,
 }
 

@@ -1,24 +1,24 @@
-//! The parts of pages that hold more than a screen: what each of them lists, and that each has its turn.
+//! Pages that hold more than a screen: what each of them lists, and that each has its turn.
 
 use crate::probe::*;
 use cluster::Button;
-use cluster::page::{CELLS, Count, Page, Part};
+use cluster::page::{Chapter, Count, Page, VALUES};
 use protocol_core::model::Value;
 use protocol_core::vehicle::Node;
 use std::collections::BTreeSet;
 
 #[test]
-fn a_part_lists_values_or_counters_that_fit_and_no_value_stands_on_two() {
+fn a_chapter_lists_values_or_counters_that_fit_and_no_value_stands_in_two() {
     let mut listed = BTreeSet::new();
-    for &part in Part::ALL {
-        let values = part.values();
-        assert_eq!(values.is_empty(), part == Part::Bus, "{part:?}: only the bus has counters");
-        assert!(values.len() <= CELLS, "{part:?}");
-        for value in values {
-            assert!(listed.insert(value), "{} stands on two parts", value.path());
+    for &chapter in Chapter::ALL {
+        let items = chapter.items();
+        assert_eq!(items.is_empty(), chapter == Chapter::Bus, "{chapter:?}: only the bus has counters");
+        assert!(items.len() <= VALUES, "{chapter:?}");
+        for item in items {
+            assert!(listed.insert(item.value), "{} stands in two chapters", item.value.path());
         }
     }
-    assert!(Count::ALL.len() <= CELLS);
+    assert!(Count::ALL.len() <= VALUES);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Pages: what turns them, what leads back, what stands on them.
 
-use cluster::page::{Count, Page, Part, ROWS};
+use cluster::page::{Chapter, Count, Page, ROWS};
 use cluster::view::{Limp, List, Listed, Sheet};
 use cluster::{Button, Cluster, Controller, Inputs, Sound, Trip, View};
 use protocol_core::model::{Readings, Shown, Value as V};
@@ -146,19 +146,19 @@ const TRIP_B: u8 = 2;
 const ENERGY: u8 = 3;
 const FAULTS: u8 = 4;
 const HISTORY: u8 = 5;
-const TECHNIC: u8 = 6;
-const BUS: u8 = TECHNIC + Part::Bus as u8;
+const BUS: u8 = Chapter::Bus.number();
 
 #[test]
 fn a_short_push_turns_to_the_next_page_and_the_last_leads_to_the_first() {
     let mut drive = Drive::new();
     let mut seen = Vec::new();
-    for _ in 0..8 {
+    for _ in 0..10 {
         seen.push(drive.number());
         drive.turn();
     }
-    // A vehicle that sends nothing technical has the counters of its bus only.
-    assert_eq!(seen, [MAIN, TRIP_A, TRIP_B, ENERGY, FAULTS, HISTORY, BUS, MAIN]);
+    // A vehicle that sends nothing technical has what the cluster measures, and the counters of its bus.
+    let [supply, air] = [Chapter::Supply, Chapter::Pumps].map(Chapter::number);
+    assert_eq!(seen, [MAIN, TRIP_A, TRIP_B, ENERGY, FAULTS, HISTORY, supply, air, BUS, MAIN]);
 }
 
 #[test]
@@ -344,7 +344,7 @@ fn a_push_starts_the_thirty_seconds_again_and_walking_pace_never_ends_them() {
     drive.run(20_000);
     drive.turn();
     drive.run(20_000);
-    assert_eq!(drive.number(), BUS);
+    assert_eq!(drive.number(), Chapter::Supply.number());
 }
 
 #[test]
@@ -469,15 +469,15 @@ fn bus_r038_and_bus_r067_relay_states_stand_on_a_page_of_their_own() {
     drive.keep(V::ContactorCharge1, 2);
     drive.keep(V::BoxHeater, 3);
     drive.run(100);
-    for (number, part, place, state) in
-        [(TECHNIC, Part::Relays, 1, 1), (TECHNIC + 1, Part::Contactors, 2, 2), (TECHNIC + 2, Part::Box, 6, 3)]
-    {
-        drive.turn_to(number);
+    let expected = [(Chapter::Relays, 1, 1), (Chapter::Contactors, 2, 2), (Chapter::Box, 6, 3)];
+    // Before them stand supply and air, behind them the bus.
+    for (position, (chapter, place, state)) in (3..).zip(expected) {
+        drive.turn_to(chapter.number());
         let sheet = drive.sheet();
-        assert_eq!((sheet.part, sheet.cells[place]), (part, Shown::Value(state)));
-        let others = sheet.cells.iter().enumerate().filter(|(other, _)| *other != place);
-        assert!(others.clone().all(|(_, cell)| *cell == Shown::Never), "{sheet:?}");
-        assert_eq!((sheet.position, sheet.count), (number - TECHNIC + 1, 4), "the bus is the fourth");
+        assert_eq!((sheet.chapter, sheet.values[place]), (chapter, Shown::Value(state)));
+        let others = sheet.values.iter().enumerate().filter(|(other, _)| *other != place);
+        assert!(others.clone().all(|(_, value)| *value == Shown::Never), "{sheet:?}");
+        assert_eq!((sheet.position, sheet.count), (position, 6));
     }
 }
 
@@ -493,34 +493,34 @@ fn bus_r033_bus_r060_bus_r120_bus_r124_bus_r126_and_bus_r143_codes_stand_there_a
     let mut drive = Drive::new();
     (100..).zip(codes).for_each(|(code, value)| drive.keep(value, code));
     drive.run(100);
-    drive.turn_to(TECHNIC + Part::Codes as u8);
+    drive.turn_to(Chapter::Codes.number());
     let sheet = drive.sheet();
     for (code, value) in (100..).zip(codes) {
-        let place = sheet.part.values().iter().position(|&other| other == value).expect("a code of the part");
-        assert_eq!(sheet.cells[place], Shown::Value(code), "{}", value.path());
+        let place = sheet.chapter.items().iter().position(|item| item.value == value).expect("a code");
+        assert_eq!(sheet.values[place], Shown::Value(code), "{}", value.path());
     }
     drive.kept.clear();
     drive.run(1_000);
-    assert_eq!(drive.sheet().cells[2], Shown::Stale, "silence is shown as silence");
+    assert_eq!(drive.sheet().values[2], Shown::Stale, "silence is shown as silence");
 }
 
 #[test]
 fn the_extremes_come_with_their_places() {
     let mut drive = Drive::new();
-    for (number, &value) in (1..).zip(Part::Extremes.values()) {
-        drive.keep(value, number);
+    for (number, item) in (1..).zip(Chapter::Extremes.items()) {
+        drive.keep(item.value, number);
     }
     drive.run(100);
-    drive.turn_to(TECHNIC + Part::Extremes as u8);
-    let cells = drive.sheet().cells;
-    assert!((1..).zip(cells).all(|(number, cell)| cell == Shown::Value(number)), "{cells:?}");
+    drive.turn_to(Chapter::Extremes.number());
+    let values = drive.sheet().values;
+    assert!((1..).zip(values).all(|(number, value)| value == Shown::Value(number)), "{values:?}");
 }
 
 #[test]
 fn the_bus_s_counters_are_the_controller_s_and_the_cluster_s() {
     let mut drive = Drive::new();
     drive.turn_to(BUS);
-    let of = |drive: &Drive, count: Count| drive.sheet().cells[count as usize];
+    let of = |drive: &Drive, count: Count| drive.sheet().values[count as usize];
     assert_eq!(of(&drive, Count::State), Shown::Never, "nobody says");
     drive.inputs.controller = Some(Controller {
         state: Some(Confinement::ErrorPassive),
@@ -550,10 +550,11 @@ fn the_bus_s_counters_are_the_controller_s_and_the_cluster_s() {
 
 #[test]
 fn every_page_has_a_number_of_its_own() {
-    let technic = Part::ALL.iter().map(|&part| Page::Technic(Sheet { part, ..Sheet::default() }));
+    let technic = Chapter::ALL.iter().map(|&chapter| Page::Technic(Sheet { chapter, ..Sheet::default() }));
     let pages = [Page::Main, Page::Trip(Trip::A), Page::Trip(Trip::B), Page::Energy];
     let lists = [Page::Faults(List::default()), Page::History(List::default())];
-    let numbers: Vec<u8> = pages.into_iter().chain(lists).chain(technic).map(Page::number).collect();
+    let mut numbers: Vec<u8> = pages.into_iter().chain(lists).chain(technic).map(Page::number).collect();
+    numbers.sort_unstable();
     assert_eq!(numbers, (0..numbers.len() as u8).collect::<Vec<_>>());
 }
 

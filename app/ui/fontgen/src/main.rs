@@ -71,7 +71,14 @@ fn main() -> Result<()> {
 
     let mut labels = BTreeSet::new();
     labels.extend(fs::read_to_string(root.join("app/ui/src/words.rs"))?.chars().filter(|&c| is_chinese(c)));
+    let chapters = cluster::page::Chapter::ALL;
+    let items = chapters.iter().flat_map(|chapter| chapter.items());
+    labels.extend(items.flat_map(|item| item.label.zh.chars()).filter(|&c| is_chinese(c)));
     let mut texts = BTreeSet::new();
+    texts.extend(chapters.iter().flat_map(|chapter| chapter.title().zh.chars()).filter(|&c| is_chinese(c)));
+    let items = chapters.iter().flat_map(|chapter| chapter.items());
+    let states = items.filter_map(|item| item.value.unit().kind()).flat_map(|kind| kind.states);
+    texts.extend(states.flat_map(|state| state.zh.chars()).filter(|&c| is_chinese(c)));
     texts.extend(cluster::texts::ALL.iter().flat_map(|text| text.zh.chars()).filter(|&c| is_chinese(c)));
     collect(&root.join("app/ui"), "rs", &mut texts)?;
     collect(&root.join("vehicles"), "toml", &mut texts)?;

@@ -22,7 +22,7 @@ pub(crate) struct Glyph {
     pub(crate) left: i8,
     /// From the top of the capitals to the box, pixels, down.
     top: i8,
-    width: u8,
+    pub(crate) width: u8,
     height: u8,
     /// From this pen to the next, pixels.
     pub(crate) advance: u8,

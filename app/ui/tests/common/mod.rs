@@ -4,7 +4,7 @@
 
 use cluster::{
     Page, Telltale, Telltales, View,
-    page::Part,
+    page::Chapter,
     view::{Charging, Journey, Language, Line, List, Listed, Plug, Range, Sheet, Text, Theme},
 };
 use embedded_graphics_core::{
@@ -263,23 +263,30 @@ pub fn list() -> List {
     }
 }
 
-/// A technical part with these values.
-pub fn sheet(part: Part, values: &[Option<i32>]) -> Sheet {
-    let cell = |place: usize| values.get(place).copied().flatten().map_or(Shown::Never, Shown::Value);
-    let cells = std::array::from_fn(cell);
-    Sheet { part, cells, position: part as u8 + 1, count: Part::ALL.len() as u8 }
+/// A chapter with these values.
+pub fn sheet(chapter: Chapter, values: &[Option<i32>]) -> Sheet {
+    let shown = |place: usize| values.get(place).copied().flatten().map_or(Shown::Never, Shown::Value);
+    let values = std::array::from_fn(shown);
+    Sheet { chapter, values, position: chapter as u8 + 1, count: Chapter::ALL.len() as u8 }
 }
 
-/// Every technical part with believable values.
-pub fn sheets() -> [Sheet; 6] {
+/// Every chapter with believable values, in the order of [`Chapter::ALL`].
+pub fn sheets() -> [Sheet; 13] {
     let all = |values: &[i32]| values.iter().map(|&value| Some(value)).collect::<Vec<_>>();
     [
-        sheet(Part::Relays, &all(&[1, 1, 0, 1, 0, 0, 0, 0])),
-        sheet(Part::Contactors, &[Some(1), None, Some(0), Some(2), Some(3)]),
-        sheet(Part::Box, &all(&[1, 1, 0, 1, 0, 0, 1, 0, 0])),
-        sheet(Part::Codes, &all(&[0, 4, 0, 0, 17, 0, 0, 0])),
+        sheet(Chapter::Controls, &all(&[3, 1, 0, 425, 0, 0, 1, 62, 1])),
+        sheet(Chapter::Drive, &all(&[1, 2_105, 1_830, 5_374, 962])),
+        sheet(Chapter::Battery, &all(&[2, 968, 4_000, 1_250, 1, 8_200, 7_950, 3])),
+        sheet(Chapter::Nameplate, &all(&[300, 5_376, 65, -20, 100, 168, 84])),
+        sheet(Chapter::Supply, &all(&[1, 5_371, 276, 845, 47, 274])),
+        sheet(Chapter::Pumps, &all(&[2, 0, 71, 82, 79, 1, 2_850, 64, 0])),
+        sheet(Chapter::Climate, &all(&[1, 1, 0, 0, 2, 1, 0, 24, 33])),
+        sheet(Chapter::Relays, &all(&[1, 1, 0, 1, 0, 0, 0, 0])),
+        sheet(Chapter::Contactors, &[Some(1), None, Some(0), Some(2), Some(3)]),
+        sheet(Chapter::Box, &all(&[1, 1, 0, 1, 0, 0, 1, 0, 0])),
+        sheet(Chapter::Codes, &all(&[0, 4, 0, 0, 17, 0, 0, 0])),
         sheet(
-            Part::Extremes,
+            Chapter::Extremes,
             &[
                 Some(3_360),
                 Some(3),
@@ -297,6 +304,6 @@ pub fn sheets() -> [Sheet; 6] {
                 Some(9),
             ],
         ),
-        sheet(Part::Bus, &all(&[1, 0, 3, 48_210, 6_102_334, 21, 0, 0, 2])),
+        sheet(Chapter::Bus, &all(&[1, 0, 3, 48_210, 6_102_334, 21, 0, 0, 2])),
     ]
 }
