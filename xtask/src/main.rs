@@ -18,6 +18,7 @@ mod dbc;
 mod decode;
 mod doctor;
 mod encode;
+mod faces;
 mod figures;
 mod firmware;
 mod flash;

@@ -3,6 +3,7 @@
 //! Made from the same generated tables as the firmware, and from the comments of the DBC files; committed, and compared
 //! by `cargo xtask ci`. Which signal feeds which value is found by trying: a signal that changes a value feeds it.
 
+use crate::faces;
 use crate::out::say;
 use crate::vehicles::{Tables, decimal, value_of, with_unit};
 use crate::workspace;
@@ -11,6 +12,7 @@ use clap::Args;
 use cluster::{Cluster, Inputs};
 use protocol_core::Millis;
 use protocol_core::codec::{LifeKind, MessageInfo, Mux, Order, SignalInfo};
+use protocol_core::generated::SHIPPED_VEHICLES;
 use protocol_core::model::{Readings, Shown, Unit, Value};
 use protocol_core::states::{KINDS, State};
 use protocol_core::vehicle::{FaultText, Vehicle};
@@ -66,8 +68,12 @@ pub fn run(options: &Options) -> Result<()> {
 
 /// Returns name and text of every page.
 fn pages() -> Result<Vec<(String, String)>> {
-    let mut pages =
-        vec![("support".into(), support()), ("faults".into(), faults()), ("states".into(), states())];
+    let mut pages = vec![
+        ("support".into(), support()),
+        ("faults".into(), faults()),
+        ("states".into(), states()),
+        ("values".into(), values()?),
+    ];
     for tables in Tables::all() {
         let name = tables.vehicle.name;
         let path = format!("vehicles/{name}/{name}.dbc");
@@ -294,7 +300,7 @@ fn own_values(vehicle: Option<&'static Vehicle>) -> BTreeSet<Value> {
 }
 
 /// Returns the signals that each value is made of, as `MESSAGE.signal`.
-fn sources(tables: Tables) -> BTreeMap<Value, BTreeSet<String>> {
+pub fn sources(tables: Tables) -> BTreeMap<Value, BTreeSet<String>> {
     let mut found: BTreeMap<Value, BTreeSet<String>> = BTreeMap::new();
     for (index, received) in tables.vehicle.rx.iter().enumerate() {
         let Some(message) = tables.message(received.id) else { continue };
@@ -369,6 +375,44 @@ fn probes(signal: &SignalInfo) -> BTreeSet<i64> {
     probes.extend(signal.values.iter().map(|(raw, _)| *raw));
     probes.extend(signal.invalid_raw);
     probes
+}
+
+/// Where each received value shows.
+fn values() -> Result<String> {
+    let all: Vec<Tables> = Tables::all().filter(|tables| is_shipped(tables)).collect();
+    let found: Vec<faces::Faces> =
+        all.iter().map(|tables| faces::of(*tables, &sources(*tables))).collect::<Result<_>>()?;
+    for (tables, faces) in all.iter().zip(&found) {
+        faces::check(tables.vehicle.name, faces)?;
+    }
+    let mut out = page(
+        "Where values show",
+        "One row per value that a vehicle sends, one column per vehicle: the pages that show it, the telltales that it \
+         lights, whether it makes a fault line or a sound and whether the cluster sends it on. Found by changing one \
+         signal at a time in the vehicle's own recording and comparing all that the cluster gives out; a value that needs \
+         more than one signal to act may have more faces than are found so. What no driver sees has its reason.",
+    );
+    let mut names = vec!["Value"];
+    names.extend(all.iter().map(|tables| tables.vehicle.name));
+    out += &head(&names);
+    for value in Value::ALL {
+        if !found.iter().any(|faces| faces.contains_key(value)) {
+            continue;
+        }
+        let mut cells = vec![format!("`{}`", value.path())];
+        cells.extend(all.iter().zip(&found).map(|(tables, faces)| {
+            let seen = faces.get(value).into_iter().flatten().cloned().collect::<Vec<_>>();
+            let reason = faces.get(value).and_then(|_| faces::reason(tables.vehicle.name, *value));
+            reason.map_or(seen.join(", "), |reason| format!("hidden: {reason}"))
+        }));
+        out += &row(&cells);
+    }
+    Ok(out)
+}
+
+/// Returns whether images have this vehicle.
+fn is_shipped(tables: &Tables) -> bool {
+    SHIPPED_VEHICLES.iter().any(|vehicle| vehicle.name == tables.vehicle.name)
 }
 
 /// The fault texts of every vehicle.

@@ -148,6 +148,8 @@ chapters! {
         BatteryBalancing "均衡" "Balancing",
         InsulationPositive "正极绝缘" "Insul. +",
         InsulationNegative "负极绝缘" "Insul. -",
+        ChargerVoltage "充电机" "Charger",
+        ChargerCurrent "充电机" "Charger",
         ChargeInterval "距上次充" "Last charge",
     ];
     /// What stands on the battery's nameplate.

@@ -276,7 +276,7 @@ pub fn sheets() -> [Sheet; 13] {
     [
         sheet(Chapter::Controls, &all(&[3, 1, 0, 425, 0, 0, 1, 62, 1])),
         sheet(Chapter::Drive, &all(&[1, 2_105, 1_830, 5_374, 962])),
-        sheet(Chapter::Battery, &all(&[2, 968, 4_000, 1_250, 1, 8_200, 7_950, 3])),
+        sheet(Chapter::Battery, &all(&[2, 968, 4_000, 1_250, 1, 8_200, 7_950, 5_402, 310, 3])),
         sheet(Chapter::Nameplate, &all(&[300, 5_376, 65, -20, 100, 168, 84])),
         sheet(Chapter::Supply, &all(&[1, 5_371, 276, 845, 47, 274])),
         sheet(Chapter::Pumps, &all(&[2, 0, 71, 82, 79, 1, 2_850, 64, 0])),
