@@ -8,6 +8,7 @@ mod answer;
 mod bench_subject;
 mod format;
 mod host_subject;
+mod line;
 mod name;
 mod runner;
 mod sound;

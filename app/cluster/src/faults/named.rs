@@ -24,6 +24,11 @@ impl Named {
         Self { fault, stage: 0, code: None }
     }
 
+    /// Returns the fault of the numbers of a record; `None` = no row has this number.
+    pub fn of_record(fault: u8, stage: u8, code: Option<u16>) -> Option<Self> {
+        Some(Self { fault: FaultId::from_number(fault)?, stage, code })
+    }
+
     /// Returns the fault with this code, in the stage of its severity if it has stages for levels.
     ///
     /// The driver reads the number that the vehicle's own documents use.

@@ -38,6 +38,18 @@ pub enum Page {
     Technic(Sheet),
 }
 
+/// Public names of the pages by their numbers; all numbers from the last on are technical.
+pub const KEYS: [&str; 7] = ["main", "trip_a", "trip_b", "energy", "faults", "history", "technic"];
+
+/// Returns the public name of a page by its number in records; of a technical one that of its part.
+pub fn key_of(number: u8) -> Option<&'static str> {
+    let technic = KEYS.len() - 1;
+    match usize::from(number) {
+        place if place < technic => Some(KEYS[place]),
+        place => Part::ALL.get(place - technic).map(|part| part.key()),
+    }
+}
+
 impl Page {
     /// Returns the number that stands in records: 0 main, 1 and 2 trips, 3 energy, 4 faults, 5 history, 6 and more
     /// technical.
@@ -77,6 +89,18 @@ impl Part {
     /// Every part, in the order of its pages.
     pub const ALL: &'static [Self] =
         &[Self::Relays, Self::Contactors, Self::Box, Self::Codes, Self::Extremes, Self::Bus];
+
+    /// Returns the public name.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Relays => "relays",
+            Self::Contactors => "contactors",
+            Self::Box => "box",
+            Self::Codes => "codes",
+            Self::Extremes => "extremes",
+            Self::Bus => "bus",
+        }
+    }
 
     /// Returns the values of the part, in the order of [`Sheet::cells`]; none = [`Count`] in its order.
     pub const fn values(self) -> &'static [Value] {
