@@ -166,11 +166,7 @@ impl Rig {
         let since = self.now();
         let told = self.heard.lock().map_or(0, |heard| heard.next_number());
         let bus = self.board_mut().bus_mut();
-        let nodes = vehicle
-            .nodes()
-            .iter()
-            .map(|&node| (node, bus.attach(&format!("{node:?}").to_lowercase())))
-            .collect();
+        let nodes = vehicle.nodes().iter().map(|&node| (node, bus.attach(node.key()))).collect();
         self.around = Some(Around { vehicle, since, nodes, told, closed: [false; SWITCHES.len()] });
     }
 

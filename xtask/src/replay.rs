@@ -256,7 +256,7 @@ fn lit(lamps: Telltales) -> Vec<&'static str> {
 
 fn line(line: Option<Line>) -> (String, Json) {
     let Some(line) = line else {
-        return ("empty".into(), json!({ "severity": null, "zh": null, "en": null }));
+        return ("empty".into(), json!({ "fault": null, "severity": null, "zh": null, "en": null }));
     };
     let severity = line.severity.word();
     let code = line.code.map(|code| format!(" {code}")).unwrap_or_default();
@@ -264,6 +264,7 @@ fn line(line: Option<Line>) -> (String, Json) {
         if line.count > 1 { format!("  ({} of {})", line.position, line.count) } else { String::new() };
     let text = format!("{severity}{code}: {} {}{turn}", line.text.en, line.text.zh);
     let fields = json!({
+        "fault": line.named.fault.key(), "stage": line.named.stage_key(),
         "severity": severity, "code": line.code, "zh": line.text.zh, "en": line.text.en,
         "position": line.position, "count": line.count,
     });

@@ -58,7 +58,7 @@ impl BenchSubject {
     /// If the file is not an image for the board.
     pub fn new(elf: &Path, kind: Kind, options: Options, pictures: Pictures) -> Result<Self> {
         let usual = RigOptions::default();
-        let bitrate = super::name::vehicle(kind).map_or(usual.bitrate, |vehicle| vehicle.bitrate);
+        let bitrate = super::vehicle(kind).map_or(usual.bitrate, |vehicle| vehicle.bitrate);
         let mut rig = Rig::new(elf, &RigOptions { bitrate, ..usual })?;
         rig.drive(VirtualVehicle::new(kind, options));
         Ok(Self { rig, pictures, sent: Transmitted::default(), heard: 0, golden: Vec::new() })

@@ -61,9 +61,7 @@ impl HostSubject {
         let now = self.now();
         self.instrument.tick(&inputs(self.vehicle.world(), self.buttons), now);
         let access = self.instrument.look(|| false, now);
-        debug_assert!(
-            super::name::vehicle(self.vehicle.kind()).is_none_or(|it| it.bitrate == access.bitrate)
-        );
+        debug_assert!(super::vehicle(self.vehicle.kind()).is_none_or(|it| it.bitrate == access.bitrate));
         let Self { instrument, vehicle, sent, now_ms, .. } = self;
         while instrument.offer(|frame| {
             if !is_silent {

@@ -2,7 +2,7 @@
 //!
 //! Owns how it is written, how it is compared, and what somebody is told who writes a text instead.
 
-use super::name::vehicle;
+use super::vehicle;
 use cluster::faults::ROWS;
 use cluster::{FaultId, Named};
 use protocol_core::link::ScreenLine;

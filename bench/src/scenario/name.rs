@@ -3,15 +3,15 @@
 //! Owns the names and what each can be answered with, so that a misspelt expectation is an error and not a failure.
 //! Refuses to know how a subject finds the answer.
 
-use super::sound;
+use super::{sound, vehicle};
 use cluster::Telltale;
 use cluster::page::KEYS;
+use protocol_core::Value;
 use protocol_core::codec::{MessageInfo, SignalInfo};
-use protocol_core::generated::{MESSAGES, VEHICLES};
+use protocol_core::generated::MESSAGES;
 use protocol_core::link::Health;
 use protocol_core::model::{Gear, Missing, Severity};
 use protocol_core::states::{self, Confinement, ResetReason};
-use protocol_core::{Value, Vehicle};
 use std::fmt;
 use virtual_vehicle::{Kind, Readout, VirtualVehicle};
 
@@ -218,11 +218,6 @@ impl fmt::Display for Name {
             }
         }
     }
-}
-
-/// Returns what the cluster knows of the vehicle.
-pub(super) fn vehicle(kind: Kind) -> Option<&'static Vehicle> {
-    VEHICLES.iter().copied().find(|vehicle| vehicle.name == kind.name())
 }
 
 fn signal(rest: &str, kind: Kind) -> Result<Signal, String> {
