@@ -13,7 +13,7 @@ use cluster::view::Text;
 use cluster::{Cluster, Inputs};
 use protocol_core::Millis;
 use protocol_core::codec::{LifeKind, MessageInfo, Mux, Order, SignalInfo};
-use protocol_core::model::{Readings, Shown, Unit, Value};
+use protocol_core::model::{Readings, Severity, Shown, Unit, Value};
 use protocol_core::states::{KINDS, State};
 use protocol_core::vehicle::{FaultText, Vehicle};
 use std::collections::{BTreeMap, BTreeSet};
@@ -486,6 +486,7 @@ fn severity(route: &Route) -> String {
     match route.grade {
         Grade::Level(value) => format!("`{}`", value.path()),
         Grade::Always(severity) => severity.word().into(),
+        Grade::Joins(Severity::None) => format!("`{}`", Value::VehicleFaultLevel.path()),
         Grade::Joins(least) => {
             format!("`{}`, at least {}", Value::VehicleFaultLevel.path(), least.word())
         }

@@ -1,17 +1,17 @@
-//! Which fault stands on the message line: many sources, one active set, one line.
+//! Which fault stands on the message line: many routes, one active set, one line.
 //!
 //! Owns the set of active faults; what makes each report is in `reading`. Only the highest severity
-//! present is shown; its faults take turns of one second in the order of the table. Silence clears what was harmless and keeps a STOP: only its source
+//! present is shown; its faults take turns of one second in the order of `turns`. Silence clears what was harmless and keeps a STOP: only its route
 //! can take that back. Fire latches until power-off and takes over everything.
 //!
 //! | what happens                        | what the set does                                              |
 //! |-------------------------------------|----------------------------------------------------------------|
-//! | the source clears the fault         | it goes at once                                                |
-//! | the source rotates its codes        | a code stays until [`ROTATION_MS`] without it                  |
-//! | the source reports a lower severity | what it reported above goes at once: it reports its worst only |
+//! | the route clears the fault          | it goes at once                                                |
+//! | the route rotates its codes         | a code stays until [`ROTATION_MS`] without it                  |
+//! | the route reports a lower severity  | what it reported above goes at once: it reports its worst only |
 //! | the fault worsens                   | it moves up and sounds again                                   |
 //! | a level comes before its code       | the old code stands beside it until the next one comes         |
-//! | the source falls silent             | STOP stays, the rest goes                                      |
+//! | the sender falls silent             | STOP stays, the rest goes                                      |
 //! | the driver acknowledges             | the sound ends, the line stays                                 |
 //! | a fault is reported by two routes   | one line, one sound, one entry: those of the worse report      |
 //!
@@ -20,7 +20,8 @@
 use super::memory::History;
 use super::named::Named;
 use super::reading::{Report, fire_code};
-use super::table::{FaultId, REPORTERS, Reporter, Row, Voice, When, Words};
+use super::table::{FaultId, Row, Voice, When, Words};
+use super::turns::{REPORTERS, Reporter};
 use crate::chime::Sound;
 use crate::facts::Facts;
 use crate::monitors::Timers;
@@ -46,7 +47,7 @@ struct Fault {
     severity: Severity,
     /// When it became active.
     first: Millis,
-    /// When its source last reported it.
+    /// When its route last reported it.
     last: Millis,
     /// The driver has acknowledged it: it makes no sound.
     heard: bool,
@@ -132,7 +133,7 @@ impl Faults {
         self.take_turn(facts.now);
     }
 
-    /// Takes the one fault that a source reports now; what it reported before stays only while it may be rotating.
+    /// Takes the one fault that a route reports now; what it reported before stays only while it may be rotating.
     fn report(&mut self, by: u8, reporter: &Reporter, severity: Severity, code: Option<u16>, now: Millis) {
         self.active.retain(|fault| {
             fault.by != by
@@ -146,7 +147,7 @@ impl Faults {
         self.present(by, reporter, severity, code, now);
     }
 
-    /// Takes all alarm bits of a source.
+    /// Takes all alarm bits of a route.
     fn report_bits(&mut self, by: u8, reporter: &Reporter, bits: u32, facts: &Facts<'_>) {
         let is_set = |code: u16| code.checked_sub(1).is_some_and(|bit| bits >> bit & 1 != 0);
         self.active.retain(|fault| fault.by != by || fault.code.is_some_and(is_set));

@@ -3,6 +3,7 @@
 //! | file          | owns                                                                  |
 //! |---------------|-----------------------------------------------------------------------|
 //! | `table`       | the rows: number, name, turn, words, sound, routes                    |
+//! | `turns`       | the order of the routes: whose turn comes after whose                 |
 //! | `named`       | a fault as records name it, and from there its words                  |
 //! | `reading`     | what a route says now                                                 |
 //! | `arbitration` | the active set: one line, one sound                                   |
@@ -13,6 +14,7 @@ mod memory;
 mod named;
 mod reading;
 mod table;
+mod turns;
 
 pub use memory::{ENTRY_BYTES, Entry, HISTORY};
 pub use named::Named;

@@ -33,23 +33,14 @@ impl Named {
     ///
     /// The driver reads the number that the vehicle's own documents use.
     pub fn graded(fault: FaultId, code: Option<u16>, severity: Severity, vehicle: &Vehicle) -> Self {
-        let counts_down = vehicle.worst_level == 1;
-        let stage = match (fault.row().words, severity) {
-            (Words::Levels(_), Severity::None | Severity::Warn) => {
-                if counts_down {
-                    2
-                } else {
-                    0
-                }
-            }
-            (Words::Levels(_), Severity::Derate) => 1,
-            (Words::Levels(_), Severity::Stop) => {
-                if counts_down {
-                    0
-                } else {
-                    2
-                }
-            }
+        let from_mildest = match severity {
+            Severity::None | Severity::Warn => 0,
+            Severity::Derate => 1,
+            Severity::Stop => 2,
+        };
+        let stage = match fault.row().words {
+            Words::Levels(_) if vehicle.worst_level == 1 => 2 - from_mildest,
+            Words::Levels(_) => from_mildest,
             _ => 0,
         };
         Self { fault, stage, code }

@@ -5,7 +5,8 @@
 //! Source: BUS-R049, BUS-R079, BUS-R119; readings BUS-55, BUS-79, BUS-113, BUS-116, C5-15, JL-23.
 
 use super::named::Named;
-use super::table::{FaultId, Grade, Reporter, When};
+use super::table::{FaultId, Grade, When};
+use super::turns::Reporter;
 use crate::facts::Facts;
 use protocol_core::model::{Severity, Shown, Value};
 
