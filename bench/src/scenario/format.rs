@@ -382,7 +382,7 @@ impl Reader<'_> {
                 let word = word.ok_or_else(|| format!("`{name}` is not a yes or no"))?;
                 Ok(Wanted::Words(vec![word.to_owned()]))
             }
-            Value::Array(items) if items.iter().all(Value::is_str) => {
+            Value::Array(items) if !items.is_empty() && items.iter().all(Value::is_str) => {
                 let words = items.iter().filter_map(Value::as_str).map(check);
                 words.collect::<Result<_, _>>().map(Wanted::Words)
             }
