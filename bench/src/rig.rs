@@ -13,9 +13,10 @@ use crate::rp2040::{Rp2040, Stop, Watched, image};
 use crate::switches::SWITCHES;
 use crate::time::Nanos;
 use anyhow::Result;
-use protocol_core::Value;
+use protocol_core::generated::VEHICLES;
 use protocol_core::link::{Decoder, Health, Record, Sample, Screen};
-use protocol_core::vehicle::Node;
+use protocol_core::vehicle::{NO_VEHICLE, Node};
+use protocol_core::{Value, Vehicle};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use virtual_vehicle::{Kind, VirtualVehicle, World};
@@ -95,6 +96,7 @@ pub struct Rig {
     values: [Sample; Value::COUNT],
     health: Health,
     screen: Option<Screen>,
+    identified: &'static Vehicle,
     around: Option<Around>,
     /// Sends single frames by hand.
     hand: Option<NodeId>,
@@ -150,6 +152,7 @@ impl Rig {
             values: [Sample::Never; Value::COUNT],
             health: Health::default(),
             screen: None,
+            identified: &NO_VEHICLE,
             around: None,
             hand: None,
             babbler: None,
@@ -163,11 +166,7 @@ impl Rig {
         let since = self.now();
         let told = self.heard.lock().map_or(0, |heard| heard.next_number());
         let bus = self.board_mut().bus_mut();
-        let nodes = vehicle
-            .nodes()
-            .iter()
-            .map(|&node| (node, bus.attach(&format!("{node:?}").to_lowercase())))
-            .collect();
+        let nodes = vehicle.nodes().iter().map(|&node| (node, bus.attach(node.key()))).collect();
         self.around = Some(Around { vehicle, since, nodes, told, closed: [false; SWITCHES.len()] });
     }
 
@@ -428,6 +427,11 @@ impl Rig {
         picture.png().unwrap_or_default()
     }
 
+    /// The vehicle that the firmware says it is in.
+    pub fn identified(&self) -> &'static Vehicle {
+        self.identified
+    }
+
     /// What the firmware says it shows, as lines for a person.
     pub fn shown_lines(&self) -> Vec<(String, String)> {
         Value::ALL
@@ -454,6 +458,10 @@ impl Rig {
                         }
                         Record::Health(health) => self.health = *health,
                         Record::Shown(screen) => self.screen = Some(*screen),
+                        Record::Hello { vehicle, .. } => {
+                            let known = VEHICLES.iter().find(|known| known.name == vehicle.as_str());
+                            self.identified = known.copied().unwrap_or(&NO_VEHICLE);
+                        }
                         // Whoever wants the others reads the records.
                         _ => {}
                     }

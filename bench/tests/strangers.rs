@@ -10,7 +10,7 @@ use bench::chips::mcp2515::Mode;
 use bench::log::{Entry, Log};
 use bench::rig::{Rig, RigOptions};
 use bench::time::Nanos;
-use protocol_core::link::text_id;
+use cluster::FaultId;
 
 /// Identifiers of 11 bits as they are heard in cars.
 const LEAF_LIKE: &[u16] =
@@ -54,8 +54,8 @@ fn is_untouched(ids: &[u16], bitrate: u32) {
     assert_eq!(sent, 0, "frames of the cluster among {ids:X?} at {bitrate}");
     let mode = rig.board().mcp2515().mode();
     assert_eq!(mode, Mode::ListenOnly, "{ids:X?} at {bitrate}");
-    let line = rig.screen().and_then(|screen| screen.line).map(|line| line.text);
-    assert_eq!(line, Some(text_id("Listening for a vehicle")), "{ids:X?} at {bitrate}");
+    let line = rig.screen().and_then(|screen| screen.line).map(|line| line.fault);
+    assert_eq!(line, Some(FaultId::Listening.number()), "{ids:X?} at {bitrate}");
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod firmware;
 use bench::log::Log;
 use bench::rig::{Rig, RigOptions};
 use bench::time::Nanos;
+use cluster::FaultId;
 use protocol_core::Value;
 use protocol_core::link::{Record, Sample};
 use std::collections::HashMap;
@@ -214,7 +215,7 @@ fn until_a_vehicle_is_known_the_cluster_is_not_on_the_bus() {
     rig.run_for(Nanos::from_secs(3)).unwrap();
     assert!(rig.heard().iter().all(|heard| !heard.by_cluster), "nothing is sent to an unknown bus");
     let line = rig.screen().unwrap().line.expect("the screen says that it listens");
-    assert_eq!(line.text, protocol_core::link::text_id("Listening for a vehicle"));
+    assert_eq!(line.fault, FaultId::Listening.number());
 }
 
 #[test]
@@ -247,5 +248,5 @@ fn another_vehicle_on_the_same_bus_is_told_and_changes_nothing() {
     });
     assert!(greetings.into_iter().all(|name| ["", "citybus"].contains(&name)));
     let line = rig.screen().unwrap().line.expect("the driver is told");
-    assert_eq!(line.text, protocol_core::link::text_id("Another vehicle on this bus"));
+    assert_eq!(line.fault, FaultId::Doubt.number());
 }

@@ -14,13 +14,14 @@
 
 use crate::model::Shown;
 use crate::states::Confinement;
+pub use crate::states::ResetReason;
 use core::fmt;
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::ser::SerializeSeq;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Version of the records; raised with every change of [`Record`] that an older decoder would misread.
-pub const VERSION: u8 = 2;
+pub const VERSION: u8 = 3;
 
 /// Bytes of the longest record.
 const MAX_RECORD: usize = 144;
@@ -115,14 +116,14 @@ pub struct Trip {
 pub struct Fault {
     /// Its number in the list, from 0.
     pub place: u8,
-    /// Number of the source in the cluster's list.
-    pub source: u8,
-    /// Code; of a remembered alarm bit its number, from 1.
+    /// Number of its row in the cluster's table of faults.
+    pub fault: u8,
+    /// Place among the row's texts, from 0.
+    pub stage: u8,
+    /// Code; of an alarm bit its number, from 1.
     pub code: Option<u16>,
     /// How bad, in the model's numbers (`Unit::Severity`); 0 = information.
     pub severity: u8,
-    /// Number of the text, see [`text_id`].
-    pub text: u16,
     /// When it came first, in milliseconds since power-on.
     pub first_ms: u64,
     /// How often it has come.
@@ -166,6 +167,7 @@ pub struct Health {
     /// Resets since the supply came up.
     pub resets: u16,
     /// Why the firmware started last.
+    #[serde(with = "reset_reason")]
     pub last_reset: ResetReason,
 }
 
@@ -194,20 +196,24 @@ mod confinement {
     }
 }
 
-/// Why the firmware started.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum ResetReason {
-    /// The chip does not say.
-    #[default]
-    Unknown,
-    /// Supply or brown-out.
-    Power,
-    /// RUN pin or debugger.
-    Pin,
-    /// The watchdog ran out.
-    Watchdog,
-    /// The panic handler.
-    Panic,
+/// Writes why the firmware started as its number; as its word where a person reads it.
+mod reset_reason {
+    use crate::states::ResetReason;
+    use serde::de::{Error, Unexpected};
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(reason: &ResetReason, to: S) -> Result<S::Ok, S::Error> {
+        if to.is_human_readable() {
+            return to.serialize_str(reason.word());
+        }
+        to.serialize_u8(*reason as u8)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<ResetReason, D::Error> {
+        let number = u8::deserialize(from)?;
+        let unknown = || D::Error::invalid_value(Unexpected::Unsigned(number.into()), &"a reason of a start");
+        ResetReason::from_number(number.into()).ok_or_else(unknown)
+    }
 }
 
 /// One value of the model as the cluster would show it: [`Shown`] on the wire.
@@ -288,9 +294,11 @@ pub struct Screen {
 /// The message line of the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ScreenLine {
-    /// Number of the text, see [`text_id`].
-    pub text: u16,
-    /// Fault code shown beside it.
+    /// Number of the row in the cluster's table of faults.
+    pub fault: u8,
+    /// Place among the row's texts, from 0.
+    pub stage: u8,
+    /// Code; of an alarm bit its number, from 1, which is not shown.
     pub code: Option<u16>,
     /// How bad, in the model's numbers (`Unit::Severity`); 0 = information.
     pub severity: u8,
@@ -298,11 +306,6 @@ pub struct ScreenLine {
     pub position: u8,
     /// How many lines take turns.
     pub count: u8,
-}
-
-/// Returns a number for a text that is the same in every build: the CRC of its English words.
-pub fn text_id(english: &str) -> u16 {
-    CRC.checksum(english.as_bytes())
 }
 
 /// Up to [`CHUNK`] values.

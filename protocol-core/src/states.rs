@@ -245,6 +245,17 @@ states! {
         BusOff 4 "bus_off" "总线关闭" "Bus off", also "off" "bus-off";
     }
 
+    /// Why the firmware started.
+    #[derive(Default)]
+    ResetReason "reset" {
+        #[default]
+        Unknown 0 "unknown" "不明" "The chip does not say";
+        Power 1 "power" "上电" "Supply or brown-out";
+        Pin 2 "pin" "复位引脚" "RUN pin or debugger";
+        Watchdog 3 "watchdog" "看门狗" "Watchdog";
+        Panic 4 "panic" "程序故障" "Fault of the program";
+    }
+
     /// How a value is missing; see `model::Shown`.
     Missing "missing" {
         Never 0 "never" "从未收到" "Never seen";

@@ -36,6 +36,25 @@ pub enum Node {
     Cluster,
 }
 
+impl Node {
+    /// Returns the public name.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Vcu => "vcu",
+            Self::Inverter => "inverter",
+            Self::Bms => "bms",
+            Self::Dcdc => "dcdc",
+            Self::Steering => "steering",
+            Self::Compressor => "compressor",
+            Self::Hvac => "hvac",
+            Self::Insulation => "insulation",
+            Self::Charger => "charger",
+            Self::Contactors => "contactors",
+            Self::Cluster => "cluster",
+        }
+    }
+}
+
 /// A life counter: a field that changes with every frame of a living sender.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Life {

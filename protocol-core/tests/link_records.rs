@@ -21,10 +21,10 @@ fn hello() -> Record {
 
 const LARGEST_FAULT: Fault = Fault {
     place: 255,
-    source: 255,
+    fault: 255,
+    stage: 255,
     code: Some(u16::MAX),
     severity: 255,
-    text: u16::MAX,
     first_ms: u64::MAX,
     times: u16::MAX,
 };
@@ -77,7 +77,8 @@ fn largest() -> Vec<Record> {
             plug: Some(255),
             telltales: m,
             line: Some(ScreenLine {
-                text: u16::MAX,
+                fault: 255,
+                stage: 255,
                 code: Some(u16::MAX),
                 severity: 255,
                 position: 255,
@@ -221,8 +222,8 @@ fn noise_without_an_end_is_bounded_and_reported_once() {
     assert_eq!(decoded(&bytes), [Err(LinkError::TooLong), Ok(hello())]);
 }
 
-/// A frame built by hand: `payload` gets a right CRC.
-fn framed(payload: &[u8]) -> Vec<u8> {
+/// CRC-16/IBM-3740, bit by bit.
+fn crc(payload: &[u8]) -> u16 {
     let mut crc: u16 = 0xFFFF;
     for &byte in payload {
         crc ^= u16::from(byte) << 8;
@@ -230,8 +231,13 @@ fn framed(payload: &[u8]) -> Vec<u8> {
             crc = if crc & 0x8000 != 0 { crc << 1 ^ 0x1021 } else { crc << 1 };
         }
     }
+    crc
+}
+
+/// A frame built by hand: `payload` gets a right CRC.
+fn framed(payload: &[u8]) -> Vec<u8> {
     let mut bytes = payload.to_vec();
-    bytes.extend(crc.to_le_bytes());
+    bytes.extend(crc(payload).to_le_bytes());
     // COBS by hand, for payloads without zeros and for those with.
     let mut frame = Vec::new();
     for run in bytes.split(|&byte| byte == 0) {
@@ -244,9 +250,9 @@ fn framed(payload: &[u8]) -> Vec<u8> {
 
 #[test]
 fn the_wire_format_is_the_one_that_the_module_page_states() {
-    // Version 2, record 4 = Panic, line 7, text of 2 bytes.
+    // Version 3, record 4 = Panic, line 7, text of 2 bytes.
     let record = Record::Panic { line: 7, text: "ab".into() };
-    assert_eq!(encoded(&record), framed(&[2, 4, 7, 2, b'a', b'b']));
+    assert_eq!(encoded(&record), framed(&[3, 4, 7, 2, b'a', b'b']));
 }
 
 #[test]
@@ -278,8 +284,26 @@ fn a_text_that_is_too_long_is_cut_between_characters() {
 }
 
 #[test]
-fn the_number_of_a_text_is_its_crc() {
-    assert_eq!(text_id("123456789"), 0x29B1, "the check value of CRC-16/IBM-3740");
+fn the_crc_of_a_frame_is_crc_16_ibm_3740() {
+    assert_eq!(crc(b"123456789"), 0x29B1, "the check value of CRC-16/IBM-3740");
+}
+
+#[test]
+fn a_fault_is_the_number_of_its_row_its_stage_and_its_code() {
+    let fault = Fault { place: 1, fault: 5, stage: 2, code: Some(105), severity: 3, first_ms: 9, times: 4 };
+    let bytes = framed(&[3, 6, 7, 1, 1, 5, 2, 1, 105, 3, 9, 4]);
+    assert_eq!(encoded(&Record::Active { count: 7, fault: Some(fault) }), bytes);
+}
+
+#[test]
+fn a_reset_is_told_by_its_number_and_to_a_person_by_its_word() {
+    for &reason in ResetReason::ALL {
+        let record = Record::Health(Health { last_reset: reason, ..Health::default() });
+        let bytes = encoded(&record);
+        assert_eq!(decoded(&bytes), [Ok(record)]);
+        let json = serde_json::to_value(Health { last_reset: reason, ..Health::default() });
+        assert_eq!(json.expect("plain data")["last_reset"], reason.word());
+    }
 }
 
 #[test]

@@ -76,8 +76,8 @@ macro_rules! same_faces {
 
 #[test]
 fn every_state_of_every_enumeration_round_trips() {
-    same_faces! { Flag Severity Gear Contactor Run Charge Key Fan Mode Check Plug Confinement Missing }
-    assert_eq!(KINDS.len(), 13, "a new kind belongs in the line above");
+    same_faces! { Flag Severity Gear Contactor Run Charge Key Fan Mode Check Plug Confinement ResetReason Missing }
+    assert_eq!(KINDS.len(), 14, "a new kind belongs in the line above");
 }
 
 #[test]

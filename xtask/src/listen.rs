@@ -4,14 +4,16 @@
 //! comes late; printed is each of them once, and again when something about it has changed.
 
 use crate::out::{self, note};
-use crate::words::{page, word};
+use crate::words::page;
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use cluster::Source;
-use protocol_core::Value;
+use cluster::Named;
+use protocol_core::generated::VEHICLES;
 use protocol_core::link::{Decoder, Fault, Health, Record, Sample, Screen, Trip, Trips};
 use protocol_core::model::Severity;
 use protocol_core::states::Confinement;
+use protocol_core::vehicle::NO_VEHICLE;
+use protocol_core::{Value, Vehicle};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Read, Write};
@@ -144,26 +146,52 @@ fn print(source: &mut dyn Read, out: &mut dyn Write) -> Result<Heard> {
     }
 }
 
-/// What was printed of faults.
-#[derive(Default)]
+/// What was printed of faults, and whose they are.
 struct Told {
+    /// Who says what the codes mean; nobody until it has greeted.
+    vehicle: &'static Vehicle,
     /// How many were active.
     active: Option<u8>,
-    /// By list, source and code: severity and how often it had come.
+    /// By list, number and code: severity and how often it had come.
     faults: BTreeMap<(bool, u8, Option<u16>), (u8, u16)>,
 }
 
+impl Default for Told {
+    fn default() -> Self {
+        Self { vehicle: &NO_VEHICLE, active: None, faults: BTreeMap::new() }
+    }
+}
+
 impl Told {
+    /// Takes the vehicle's name from a greeting.
+    fn meet(&mut self, vehicle: &str) {
+        let known = VEHICLES.iter().find(|known| known.name == vehicle);
+        self.vehicle = known.copied().unwrap_or(&NO_VEHICLE);
+    }
+
+    /// Returns how somebody reads a fault: its key, its stage, its code, how bad it is and what the driver reads.
+    fn said(&self, fault: u8, stage: u8, code: Option<u16>, severity: u8) -> String {
+        let severity = Severity::from_model(severity.into()).word();
+        let number = code.map_or(String::new(), |code| format!(" code {code}"));
+        let Some(named) = Named::of_record(fault, stage, code) else {
+            return format!("fault {fault}{number}: {severity}, of a newer firmware");
+        };
+        let stage = named.stage_key().map_or(String::new(), |stage| format!(" {stage}"));
+        let text = named.text(self.vehicle);
+        format!("{}{stage}{number}: {severity}, {} {}", named.fault.key(), text.en, text.zh)
+    }
+
     /// Returns whether there is something new about the fault.
     fn is_new(&mut self, is_active: bool, fault: &Fault) -> bool {
         let news = (fault.severity, fault.times);
-        self.faults.insert((is_active, fault.source, fault.code), news) != Some(news)
+        self.faults.insert((is_active, fault.fault, fault.code), news) != Some(news)
     }
 }
 
 fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::io::Result<()> {
     match record {
         Record::Hello { version, vehicle, build } => {
+            told.meet(vehicle.as_str());
             let vehicle =
                 if vehicle.as_str().is_empty() { "a vehicle not known yet" } else { vehicle.as_str() };
             writeln!(out, "hello   firmware {} for {vehicle}, build {build:08x}", version.as_str())
@@ -178,7 +206,7 @@ fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::i
             }
             Ok(())
         }
-        Record::Shown(screen) => write_screen(screen, out),
+        Record::Shown(screen) => write_screen(screen, told, out),
         Record::Panic { line, text } => writeln!(out, "panic   line {line}: {}", text.as_str()),
         Record::Trips(trips) => write_trips(trips, out),
         Record::Active { count, fault } => {
@@ -186,7 +214,9 @@ fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::i
                 writeln!(out, "active  {count} faults")?;
             }
             match fault.filter(|fault| told.is_new(true, fault)) {
-                Some(fault) => writeln!(out, "active  {}, came at {}", said(&fault), seconds(fault.first_ms)),
+                Some(fault) => {
+                    writeln!(out, "active  {}, came at {}", said(told, &fault), seconds(fault.first_ms))
+                }
                 None => Ok(()),
             }
         }
@@ -196,20 +226,13 @@ fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::i
             }
             let (first, last) = (seconds(fault.first_ms), seconds(*last_ms));
             let times = if fault.times == 1 { "once".into() } else { format!("{} times", fault.times) };
-            writeln!(out, "history {}, {times}, first at {first}, last at {last}", said(fault))
+            writeln!(out, "history {}, {times}, first at {first}, last at {last}", said(told, fault))
         }
     }
 }
 
-/// Returns what a fault is: its source, its code, how bad it is.
-fn said(fault: &Fault) -> String {
-    let source = match Source::from_number(fault.source) {
-        Some(source) => word(source),
-        None => format!("source {}", fault.source),
-    };
-    let code = fault.code.map_or(String::new(), |code| format!(" code {code}"));
-    let severity = Severity::from_model(fault.severity.into()).word();
-    format!("{source}{code}: {severity}, text {:04x}", fault.text)
+fn said(told: &Told, fault: &Fault) -> String {
+    told.said(fault.fault, fault.stage, fault.code, fault.severity)
 }
 
 fn seconds(ms: u64) -> String {
@@ -240,7 +263,7 @@ fn write_health(health: &Health, out: &mut dyn Write) -> std::io::Result<()> {
     writeln!(
         out,
         "health  up {}.{:03} s, CAN {} (TEC {}, REC {}), received {}, sent {}, unknown {}, short {}, damaged {}, overruns {}, \
-         queue overflows {}, idle {}.{} %, last reset {:?}",
+         queue overflows {}, idle {}.{} %, last reset {}",
         health.uptime_ms / 1000,
         health.uptime_ms % 1000,
         health.can_state.map_or(Confinement::OFFLINE, Confinement::word),
@@ -255,15 +278,13 @@ fn write_health(health: &Health, out: &mut dyn Write) -> std::io::Result<()> {
         health.ring_overflows,
         health.idle_permille / 10,
         health.idle_permille % 10,
-        health.last_reset,
+        health.last_reset.word(),
     )
 }
 
-fn write_screen(screen: &Screen, out: &mut dyn Write) -> std::io::Result<()> {
+fn write_screen(screen: &Screen, told: &Told, out: &mut dyn Write) -> std::io::Result<()> {
     let line = screen.line.map_or(String::new(), |line| {
-        let code = line.code.map_or(String::new(), |code| format!(" code {code}"));
-        let severity = Severity::from_model(line.severity.into()).word();
-        format!(", line {:04x}{code} severity {severity}", line.text)
+        format!(", line {}", told.said(line.fault, line.stage, line.code, line.severity))
     });
     let hv_off = screen.hv_off_s.map_or(String::new(), |seconds| format!(", HV off in {seconds} s"));
     let limp = match (screen.limps, screen.limp_deciamps) {
@@ -291,7 +312,9 @@ fn number(sample: Sample) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use protocol_core::link::{Chunk, MAX_FRAME, encode};
+    use cluster::FaultId;
+    use protocol_core::generated::citybus;
+    use protocol_core::link::{Chunk, MAX_FRAME, ScreenLine, encode};
 
     #[test]
     fn records_are_printed_in_order_and_noise_between_them_is_skipped() {
@@ -335,10 +358,9 @@ mod tests {
     #[test]
     fn a_fault_is_printed_once_and_again_when_it_has_changed() {
         let fault = Fault {
-            source: Source::BatteryAlarm.number(),
+            fault: FaultId::BatteryAlarm.number(),
             code: Some(3),
             severity: 2,
-            text: 0xAB,
             first_ms: 12_345,
             times: 1,
             ..Fault::default()
@@ -358,12 +380,42 @@ mod tests {
         let expected = [
             "active  0 faults",
             "active  1 faults",
-            "active  battery alarm code 3: derate, text 00ab, came at 12.345 s",
-            "history battery alarm code 3: derate, text 00ab, once, first at 12.345 s, last at 12.345 s",
-            "history battery alarm code 3: derate, text 00ab, 2 times, first at 12.345 s, last at 20.000 s",
+            "active  battery_alarm code 3: derate, Battery fault 动力电池故障, came at 12.345 s",
+            "history battery_alarm code 3: derate, Battery fault 动力电池故障, once, first at 12.345 s, last at 12.345 s",
+            "history battery_alarm code 3: derate, Battery fault 动力电池故障, 2 times, first at 12.345 s, last at 20.000 s",
             "active  0 faults",
         ];
         assert_eq!(lines, expected);
+    }
+
+    #[test]
+    fn a_fault_is_said_in_the_words_of_its_row_and_its_code_in_those_of_the_vehicle_that_has_greeted() {
+        let line = ScreenLine { code: Some(105), severity: 1, ..ScreenLine::default() };
+        let shown = |fault: FaultId, stage, line| {
+            let line = Some(ScreenLine { fault: fault.number(), stage, ..line });
+            Record::Shown(Screen { line, ..Screen::default() })
+        };
+        let greeting = Record::Hello { version: "0.1.0".into(), vehicle: "citybus".into(), build: 7 };
+        let plain = ScreenLine { severity: 3, ..ScreenLine::default() };
+        let lines = printed(&[
+            shown(FaultId::Battery, 0, line),
+            greeting,
+            shown(FaultId::Battery, 0, line),
+            shown(FaultId::HvOff, 1, plain),
+            shown(FaultId::Identified, 0, ScreenLine::default()),
+            Record::Shown(Screen { line: Some(ScreenLine { fault: 255, ..line }), ..Screen::default() }),
+        ]);
+        let said: Vec<_> =
+            lines.iter().filter_map(|line| line.split_once(", line ")).map(|pair| pair.1).collect();
+        let vehicle = format!("identified: none, {} {}", citybus::VEHICLE.en, citybus::VEHICLE.zh);
+        let expected = [
+            "battery_code level_1 code 105: warn, Battery fault level 1 动力电池一级故障",
+            "battery_code level_1 code 105: warn, Battery too hot 电芯高温",
+            "hv_off overdue: stop, HV still on: battery will cut it 高压未断开 电池将自行断开",
+            &vehicle,
+            "fault 255 code 105: warn, of a newer firmware",
+        ];
+        assert_eq!(said, expected);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Generates docs/reference/: what every vehicle sends, what the cluster makes of it, every fault text.
+//! Generates docs/reference/: what every vehicle sends, what the cluster makes of it, every fault.
 //!
 //! Made from the same generated tables as the firmware, and from the comments of the DBC files; committed, and compared
 //! by `cargo xtask ci`. Which signal feeds which value is found by trying: a signal that changes a value feeds it.
@@ -9,11 +9,13 @@ use crate::vehicles::{Tables, decimal, value_of, with_unit};
 use crate::workspace;
 use anyhow::{Context, Result, bail};
 use clap::Args;
+use cluster::faults::{self, Grade, ROWS, Route, Voice, When, Words};
+use cluster::view::Text;
 use cluster::{Cluster, Inputs};
 use protocol_core::Millis;
 use protocol_core::codec::{LifeKind, MessageInfo, Mux, Order, SignalInfo};
 use protocol_core::generated::SHIPPED_VEHICLES;
-use protocol_core::model::{Readings, Shown, Unit, Value};
+use protocol_core::model::{Readings, Severity, Shown, Unit, Value};
 use protocol_core::states::{KINDS, State};
 use protocol_core::vehicle::{FaultText, Vehicle};
 use std::collections::{BTreeMap, BTreeSet};
@@ -415,28 +417,125 @@ fn is_shipped(tables: &Tables) -> bool {
     SHIPPED_VEHICLES.iter().any(|vehicle| vehicle.name == tables.vehicle.name)
 }
 
-/// The fault texts of every vehicle.
+/// The rows of the cluster's table of faults, and the texts of every vehicle's codes.
 fn faults() -> String {
     let mut out = page(
-        "Fault codes",
-        "The texts that the message line shows. A code means what its own sender says; the same number means something \
-         else elsewhere. No severity: the sender's level says how bad it is.",
+        "Faults",
+        "What puts a line on the screen. Scenarios and JSON have the key; the number is that of the history and of the PC \
+         link, and is kept for ever. Where a row reads the codes of a node, the vehicle's own text of the code stands in \
+         place of the row's. The rows are those of `app/cluster/src/faults/table.rs`.",
     );
+    out +=
+        &head(&["Number", "Key", "Stage", "中文", "English", "When", "Severity", "Sound", "History", "Turn"]);
+    for fault in ROWS {
+        let stages = fault.words.stages();
+        let each =
+            |of: fn(&Text) -> &'static str| join(fault.words.texts().iter().map(|text| of(text).into()));
+        let (zh, en) = match fault.words {
+            Words::Vehicle => ("(车名)".into(), "(the vehicle's name)".into()),
+            _ => (each(|text| text.zh), each(|text| text.en)),
+        };
+        let mut when = fault.routes.iter().map(condition).collect::<Vec<_>>();
+        if !fault.codes.is_empty() {
+            let nodes = fault.codes.iter().map(|node| node.key()).collect::<Vec<_>>().join(", ");
+            when.push(format!("texts of the codes of: {nodes}"));
+        }
+        let mut severities: Vec<String> = fault.routes.iter().map(severity).collect();
+        severities.dedup();
+        out += &row(&[
+            fault.fault.number().to_string(),
+            format!("`{}`", fault.fault.key()),
+            join(stages.iter().map(|stage| format!("`{stage}`"))),
+            zh,
+            en,
+            join(when.into_iter()),
+            join(severities.into_iter()),
+            match fault.voice {
+                Voice::Silent => String::new(),
+                Voice::AsSevere => "of its severity".into(),
+                Voice::Fire => "fire".into(),
+            },
+            if fault.is_kept { "kept".into() } else { String::new() },
+            match fault.order {
+                faults::Order::Turn(turn) => turn.to_string(),
+                faults::Order::Over => "before all".into(),
+                faults::Order::Beside => "beside".into(),
+            },
+        ]);
+    }
+    out += "\n## Codes\n\nA code means what its own sender says; the same number means something else elsewhere. No severity: \
+            the sender's level says how bad it is.\n";
     for tables in Tables::all() {
         let vehicle = tables.vehicle;
-        let _ = writeln!(out, "\n## {}\n\n{} codes.", vehicle.name, vehicle.faults.len());
+        let _ = writeln!(out, "\n### {}\n\n{} codes.", vehicle.name, vehicle.faults.len());
         if vehicle.faults.is_empty() {
             continue;
         }
         out += &head(&["Source", "Code", "Severity", "中文", "English"]);
         for FaultText { source, code, severity, zh, en, .. } in vehicle.faults {
-            let source =
-                vehicle.node(*source).map_or_else(|| format!("{source:?}"), |name| name.en.to_owned());
+            let source = vehicle.node(*source).map_or(source.key(), |name| name.en);
             let severity = severity.map(|severity| severity.word()).unwrap_or_default();
-            out += &row(&[source, code.to_string(), severity.into(), (*zh).into(), (*en).into()]);
+            out += &row(&[source.into(), code.to_string(), severity.into(), (*zh).into(), (*en).into()]);
         }
     }
     out
+}
+
+/// Returns what stands in one cell, one below the other.
+fn join(parts: impl Iterator<Item = String>) -> String {
+    parts.collect::<Vec<_>>().join("<br>")
+}
+
+/// Returns the number of a value as somebody reads it.
+fn word(value: Value, number: i32) -> String {
+    let state = value.unit().kind().and_then(|kind| kind.of_number(number));
+    state.map_or(number.to_string(), |state| state.word.to_owned())
+}
+
+/// Returns what makes a report by this route, in words.
+fn condition(route: &Route) -> String {
+    let path = |value: Value| format!("`{}`", value.path());
+    let mut text = match route.when {
+        When::Level(value) => format!("{} above none", path(value)),
+        When::Code(value) => format!("{} not 0", path(value)),
+        When::Is(value, number) => format!("{} = {}", path(value), word(value, number)),
+        When::AnyOf(values) => {
+            let paths: Vec<String> = values.iter().map(|value| path(*value)).collect();
+            format!("{} = yes", paths.join(" or "))
+        }
+        When::Bits(value) => format!("a bit of {}, its code is its number from 1", path(value)),
+        When::Silent(node) => format!("an expected message of {} is missing", node.key()),
+        When::HvOff => format!("{} = yes, through silence too", path(Value::BatteryHvOffRequest)),
+        When::ChargerLost => format!("{} = yes and the charger silent for 5 s", path(Value::ChargePlug)),
+        When::HvacLost => format!("{} = yes and silent for 10 s, if wanted", path(Value::HvacOn)),
+        When::Limps => format!("{} = limp, or the battery silent for 5 s", path(Value::VehicleMode)),
+        When::Fire(_, value) => format!("a code that means fire in {}", path(value)),
+        When::Own => "found by the instrument in itself".into(),
+    };
+    if let Some(code) = route.code {
+        let rotates = if route.rotates { ", several in turn" } else { "" };
+        let _ = write!(text, ", code {}{rotates}", path(code));
+    }
+    if let Some(value) = route.unless_sent {
+        let _ = write!(text, ", not where {} is sent", path(value));
+    }
+    if let Some(fault) = route.repeats {
+        let _ = write!(text, ", the same as `{}`", fault.key());
+    }
+    text
+}
+
+/// Returns how bad a report by this route is, in words.
+fn severity(route: &Route) -> String {
+    match route.grade {
+        Grade::Level(value) => format!("`{}`", value.path()),
+        Grade::Always(severity) => severity.word().into(),
+        Grade::Joins(Severity::None) => format!("`{}`", Value::VehicleFaultLevel.path()),
+        Grade::Joins(least) => {
+            format!("`{}`, at least {}", Value::VehicleFaultLevel.path(), least.word())
+        }
+        Grade::Alarm(value) => format!("its text's, or `{}`, at least warn", value.path()),
+    }
 }
 
 /// The states of every kind.
@@ -486,6 +585,17 @@ mod tests {
             let name = tables.vehicle.name;
             assert!(pages.iter().any(|(page, _)| page == name));
             assert!(pages[0].1.contains(name) && pages[1].1.contains(name));
+        }
+    }
+
+    #[test]
+    fn every_fault_stands_in_the_reference_with_its_number_its_words_and_its_condition() {
+        let text = faults();
+        for fault in ROWS {
+            let start = format!("| {} | `{}` |", fault.fault.number(), fault.fault.key());
+            let line = text.lines().find(|line| line.starts_with(&start)).expect("a row of the page");
+            assert!(fault.words.texts().iter().all(|said| line.contains(said.zh) && line.contains(said.en)));
+            assert!(fault.routes.iter().all(|route| line.contains(&condition(route))), "{line}");
         }
     }
 

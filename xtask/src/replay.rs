@@ -8,7 +8,7 @@
 use crate::out;
 use crate::recording::Choices;
 use crate::vehicles::{Tables, can_frame, short_seconds};
-use crate::words::{self, word};
+use crate::words;
 use anyhow::{Result, bail};
 use bench::log::Log;
 use bench::time::Nanos;
@@ -215,12 +215,12 @@ impl Screen {
             let history: Vec<Entry> = cluster.history().copied().collect();
             for entry in history.iter().filter(|entry| !self.history.contains(entry)) {
                 let (said, code) = cluster.remembered(entry);
-                let (source, severity) = (word(entry.source), entry.severity.word());
+                let (fault, severity) = (entry.fault.key(), entry.severity.word());
                 let number = code.map(|code| format!(" {code}")).unwrap_or_default();
                 let times = if entry.count > 1 { format!(" ({} times)", entry.count) } else { String::new() };
-                let text = format!("{severity}{number}: {} {} from {source}{times}", said.en, said.zh);
+                let text = format!("{severity}{number}: {} {} from {fault}{times}", said.en, said.zh);
                 let fields = json!({
-                    "source": source, "code": entry.code, "severity": severity, "zh": said.zh, "en": said.en,
+                    "fault": fault, "code": entry.code, "severity": severity, "zh": said.zh, "en": said.en,
                     "count": entry.count,
                 });
                 print("noted", &text, fields)?;
@@ -256,7 +256,7 @@ fn lit(lamps: Telltales) -> Vec<&'static str> {
 
 fn line(line: Option<Line>) -> (String, Json) {
     let Some(line) = line else {
-        return ("empty".into(), json!({ "severity": null, "zh": null, "en": null }));
+        return ("empty".into(), json!({ "fault": null, "severity": null, "zh": null, "en": null }));
     };
     let severity = line.severity.word();
     let code = line.code.map(|code| format!(" {code}")).unwrap_or_default();
@@ -264,6 +264,7 @@ fn line(line: Option<Line>) -> (String, Json) {
         if line.count > 1 { format!("  ({} of {})", line.position, line.count) } else { String::new() };
     let text = format!("{severity}{code}: {} {}{turn}", line.text.en, line.text.zh);
     let fields = json!({
+        "fault": line.named.fault.key(), "stage": line.named.stage_key(),
         "severity": severity, "code": line.code, "zh": line.text.zh, "en": line.text.en,
         "position": line.position, "count": line.count,
     });
@@ -273,7 +274,7 @@ fn line(line: Option<Line>) -> (String, Json) {
 fn sound(chime: Option<Chime>) -> (String, Json) {
     let Some(chime) = chime else { return ("silent".into(), json!({ "sound": null })) };
     let Chime { frequency_hz, on_ms, off_ms, .. } = chime;
-    let sound = word(chime.sound);
+    let sound = chime.sound.key();
     let text = format!("{sound} ({frequency_hz} Hz, {on_ms} ms on, {off_ms} ms off)");
     (text, json!({ "sound": sound, "frequency_hz": frequency_hz, "on_ms": on_ms, "off_ms": off_ms }))
 }

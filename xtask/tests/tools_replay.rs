@@ -102,6 +102,10 @@ fn a_fault_lights_a_lamp_and_writes_a_line() {
     assert!(lit.contains(&"battery_fault".into()), "{lit:?}");
     let line = rows.iter().rfind(|row| row["name"] == "line").unwrap();
     assert!(line["zh"].is_string() && line["en"].is_string(), "{line}");
+    assert_eq!(line["fault"], "silent_vcu", "nobody else is on this bus: {line}");
+    for name in ["line", "noted"] {
+        assert!(rows.iter().any(|row| row["name"] == name && row["fault"] == "battery_code"), "{name}");
+    }
     assert!(rows.iter().any(|row| row["name"] == "sound" && row["frequency_hz"].is_u64()));
 }
 

@@ -47,6 +47,22 @@ struct Pattern {
 }
 
 impl Sound {
+    /// Every sound, the most urgent first.
+    pub const ALL: &'static [Self] =
+        &[Self::Fire, Self::Stop, Self::Reverse, Self::Buzzer, Self::Derate, Self::Warn];
+
+    /// Returns the public name.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Fire => "fire",
+            Self::Stop => "stop",
+            Self::Reverse => "reverse",
+            Self::Buzzer => "buzzer",
+            Self::Derate => "derate",
+            Self::Warn => "warn",
+        }
+    }
+
     /// The table of sounds.
     const fn pattern(self) -> Pattern {
         let (frequency_hz, on_ms, off_ms) = match self {

@@ -11,15 +11,14 @@ use crate::driver::inputs::{self, Button, Controller, Inputs};
 use crate::driver::press::{Press, Push};
 use crate::driver::settings::Settings;
 use crate::facts::Facts;
-use crate::faults::Faults;
-use crate::history::Entry;
+use crate::faults::arbitration::Faults;
+use crate::faults::{Entry, Named};
 use crate::monitors::limp;
 use crate::monitors::reverse::Reverse;
 use crate::monitors::{Options, Timers};
 use crate::navigator::{Pages, Situation};
 use crate::own::Conditions;
 use crate::reception::{Counters, MAX_MESSAGES, Nodes, Received, Reception};
-use crate::sources;
 use crate::start::{self, Start};
 use crate::telltales::{Lighting, Telltale, Telltales};
 use crate::transmit::{MAX_SENT, Transmit};
@@ -286,7 +285,13 @@ impl Cluster {
 
     /// Returns what is said of a remembered fault, and its code as the driver reads it.
     pub fn remembered(&self, entry: &Entry) -> (Text, Option<u16>) {
-        sources::remembered(entry, self.vehicle)
+        let named = self.named(entry);
+        (named.text(self.vehicle), named.printed_code())
+    }
+
+    /// Returns a remembered fault by name, at its worst.
+    pub fn named(&self, entry: &Entry) -> Named {
+        Named::graded(entry.fault, entry.code, entry.severity, self.vehicle)
     }
 
     /// Returns the sound that plays as of the last tick, and whether it is in a tone or in a pause now.
@@ -302,7 +307,7 @@ impl Cluster {
         let power = self.power(now);
         let known = |value| self.reception.last_known(value);
         let faults = self.faults.line(self.vehicle, &self.timers, now);
-        let line = self.conditions.beside(faults, self.faults.misses_a_node(), now);
+        let line = self.conditions.beside(faults, self.faults.misses_a_node(), self.vehicle, now);
         View {
             speed_kmh: shown(Value::VehicleSpeed)
                 .map(|speed| (speed.max(0) >> 8).min(u16::MAX.into()) as u16),

@@ -3,8 +3,8 @@
 //! Pure logic between frames and pixels: frames, inputs and the time go in, a [`View`], a [`Chime`] and frames to send
 //! come out. No hardware, no clock, no allocation, no identifiers: vehicles are tables in `protocol-core`.
 //!
-//! The door is [`Instrument`]. Where a rule lives: `sources` (what puts a line on the screen), `telltales`, `chime`
-//! (sounds), `driver::inputs` (own wires), `texts` (all words), each a table; `monitors` (timing), each a small machine;
+//! The door is [`Instrument`]. Where a rule lives: `faults` (what puts a line on the screen, what is remembered),
+//! `telltales`, `chime` (sounds), `driver::inputs` (own wires), each a table; `monitors` (timing), each a small machine;
 //! `instrument` (which vehicle this is, when it may send), `own` (what the instrument says of itself); `navigator` (which
 //! page, what turns it); `decisions` (what is said to the vehicle).
 
@@ -16,17 +16,15 @@ mod cluster;
 mod decisions;
 mod driver;
 mod facts;
-mod faults;
-pub mod history;
+pub mod faults;
 pub mod instrument;
 mod monitors;
 mod navigator;
 pub mod own;
 mod reception;
-mod sources;
 mod start;
 pub mod telltales;
-pub mod texts;
+mod text;
 mod transmit;
 mod trips;
 pub mod view;
@@ -35,7 +33,7 @@ pub use chime::{Chime, Sound};
 pub use cluster::Cluster;
 pub use driver::inputs;
 pub use driver::inputs::{Button, Buttons, Contacts, Controller, Inputs, Key};
-pub use history::{Entry, Source};
+pub use faults::{Entry, FaultId, Named};
 pub use instrument::{Access, Instrument};
 pub use monitors::Options;
 pub use reception::{Counters, MAX_MESSAGES, Received};

@@ -5,10 +5,11 @@
 //! and says that instead of which nodes it misses. Whatever the vehicle reports goes by its severity. Refuses to know
 //! where the facts come from.
 
-use crate::texts;
-use crate::view::{Line, Text};
+use crate::faults::{FaultId, Grade, Named};
+use crate::view::Line;
 use protocol_core::Millis;
-use protocol_core::model::Severity::{self, Warn};
+use protocol_core::model::Severity;
+use protocol_core::vehicle::Vehicle;
 
 /// Time that the CAN controller has to come up before its absence is shown, in milliseconds.
 const CONTROLLER_MS: u64 = 100;
@@ -33,14 +34,12 @@ pub enum Restart {
 pub enum Search {
     /// Nothing is recognised yet.
     Listening,
-    /// A vehicle of this name was recognised.
+    /// A vehicle was identified.
     Found {
-        /// Its name.
-        name: Text,
         /// When.
         at: Millis,
     },
-    /// As much speaks for another vehicle as for the one recognised.
+    /// As much speaks for another vehicle as for the one identified.
     Contradicted,
 }
 
@@ -55,63 +54,71 @@ pub(crate) struct Conditions {
     pub(crate) search: Option<Search>,
 }
 
-/// A line of the instrument.
-struct Own {
-    line: Line,
-    /// The cluster misses nodes because of this.
-    is_cause: bool,
-}
-
-impl Own {
-    const fn cause(text: Text, code: Option<u16>) -> Self {
-        Self { line: Line { severity: Warn, text, code, position: 1, count: 1 }, is_cause: true }
-    }
-
-    const fn fact(text: Text) -> Self {
-        let line = Line { severity: Severity::None, text, code: None, position: 1, count: 1 };
-        Self { line, is_cause: false }
-    }
-}
-
 impl Conditions {
-    fn own(&self, now: Millis) -> Option<Own> {
+    /// Returns what is said: the cause nearest to the wires first.
+    fn own(&self, now: Millis) -> Option<Named> {
         if self.controller_missing && now.0 >= CONTROLLER_MS {
-            return Some(Own::cause(texts::NO_CONTROLLER, None));
+            return Some(Named::of(FaultId::NoController));
         }
         match (self.restart, self.search) {
-            (Some(Restart::Panic(line)), _) if now.0 < RESTARTED_MS => {
-                Some(Own::cause(texts::RESTARTED, line))
+            (Some(restart), _) if now.0 < RESTARTED_MS => {
+                let code = if let Restart::Panic(line) = restart { line } else { None };
+                Some(Named { code, ..Named::of(FaultId::Restarted) })
             }
-            (Some(Restart::Watchdog), _) if now.0 < RESTARTED_MS => Some(Own::cause(texts::RESTARTED, None)),
-            (_, Some(Search::Contradicted)) => Some(Own::cause(texts::DOUBT, None)),
-            (_, Some(Search::Found { name, at })) if now.since(at) < NAME_MS => Some(Own::fact(name)),
-            (_, Some(Search::Listening)) if now.0 >= PATIENCE_MS => Some(Own::fact(texts::LISTENING)),
+            (_, Some(Search::Contradicted)) => Some(Named::of(FaultId::Doubt)),
+            (_, Some(Search::Found { at })) if now.since(at) < NAME_MS => {
+                Some(Named::of(FaultId::Identified))
+            }
+            (_, Some(Search::Listening)) if now.0 >= PATIENCE_MS => Some(Named::of(FaultId::Listening)),
             _ => None,
         }
     }
 
     /// Returns the line that is shown beside that of the faults, `faults`; `is_silence` tells whether that one only
     /// misses a node.
-    pub(crate) fn beside(&self, faults: Option<Line>, is_silence: bool, now: Millis) -> Option<Line> {
-        let Some(own) = self.own(now) else { return faults };
+    pub(crate) fn beside(
+        &self,
+        faults: Option<Line>,
+        is_silence: bool,
+        vehicle: &Vehicle,
+        now: Millis,
+    ) -> Option<Line> {
+        let Some(named) = self.own(now) else { return faults };
+        let severity = severity(named.fault);
+        // What is no plain fact is why the cluster misses nodes.
+        let is_cause = severity > Severity::None;
         match faults {
-            Some(line) if line.severity > own.line.severity && !(own.is_cause && is_silence) => faults,
-            _ => Some(own.line),
+            Some(line) if line.severity > severity && !(is_cause && is_silence) => faults,
+            _ => Some(Line::of(named, severity, vehicle)),
         }
+    }
+}
+
+/// Returns how bad a fault is that is as bad always.
+fn severity(fault: FaultId) -> Severity {
+    match fault.row().routes {
+        [route, ..] => match route.grade {
+            Grade::Always(severity) => severity,
+            _ => Severity::None,
+        },
+        [] => Severity::None,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Severity::{Derate, Stop};
+    use FaultId::*;
+    use Severity::{Derate, Stop, Warn};
+    use protocol_core::generated::citybus::VEHICLE;
 
     fn line(severity: Severity) -> Line {
-        Line { severity, text: texts::SYSTEM, code: Some(7), position: 1, count: 2 }
+        let named = Named { code: Some(7), ..Named::of(VehicleCode) };
+        Line { count: 2, ..Line::of(named, severity, &VEHICLE) }
     }
 
-    fn said(conditions: Conditions, now: u64) -> Option<(&'static str, Option<u16>)> {
-        conditions.beside(None, false, Millis(now)).map(|line| (line.text.en, line.code))
+    fn said(conditions: Conditions, now: u64) -> Option<(FaultId, Option<u16>)> {
+        conditions.beside(None, false, &VEHICLE, Millis(now)).map(|line| (line.named.fault, line.code))
     }
 
     const NO_CONTROLLER: Conditions = Conditions { controller_missing: true, restart: None, search: None };
@@ -123,12 +130,12 @@ mod tests {
     #[test]
     fn a_cause_goes_before_the_silence_that_it_brings_and_never_before_what_the_vehicle_reports() {
         for conditions in [NO_CONTROLLER, CONTRADICTED, RESTARTED] {
-            let own = conditions.beside(None, false, Millis(200));
+            let own = conditions.beside(None, false, &VEHICLE, Millis(200));
             assert!(own.is_some(), "{conditions:?}");
             for severity in [Severity::None, Warn, Derate, Stop] {
-                let silence = conditions.beside(Some(line(severity)), true, Millis(200));
+                let silence = conditions.beside(Some(line(severity)), true, &VEHICLE, Millis(200));
                 assert_eq!(silence, own, "{conditions:?} behind a silent node, {severity:?}");
-                let report = conditions.beside(Some(line(severity)), false, Millis(200));
+                let report = conditions.beside(Some(line(severity)), false, &VEHICLE, Millis(200));
                 let expected = if severity > Warn { Some(line(severity)) } else { own };
                 assert_eq!(report, expected, "{conditions:?} and a report, {severity:?}");
             }
@@ -137,11 +144,11 @@ mod tests {
 
     #[test]
     fn a_plain_fact_gives_way_to_every_fault() {
-        for search in [Search::Listening, Search::Found { name: texts::SYSTEM, at: Millis(1_500) }] {
+        for search in [Search::Listening, Search::Found { at: Millis(1_500) }] {
             let conditions = Conditions { search: Some(search), ..Conditions::default() };
-            assert!(conditions.beside(None, false, Millis(2_000)).is_some());
+            assert!(conditions.beside(None, false, &VEHICLE, Millis(2_000)).is_some());
             for is_silence in [false, true] {
-                let shown = conditions.beside(Some(line(Warn)), is_silence, Millis(2_000));
+                let shown = conditions.beside(Some(line(Warn)), is_silence, &VEHICLE, Millis(2_000));
                 assert_eq!(shown, Some(line(Warn)), "{search:?}");
             }
         }
@@ -153,28 +160,28 @@ mod tests {
         assert_eq!([0, 9_999, 10_000].map(|now| said(RESTARTED, now).is_some()), [true, true, false]);
         let listening = Conditions { search: Some(Search::Listening), ..Conditions::default() };
         assert_eq!([999, 1_000].map(|now| said(listening, now).is_some()), [false, true]);
-        let found = Search::Found { name: texts::SYSTEM, at: Millis(700) };
+        let found = Search::Found { at: Millis(700) };
         let found = Conditions { search: Some(found), ..Conditions::default() };
         assert_eq!([700, 5_699, 5_700].map(|now| said(found, now).is_some()), [true, true, false]);
-        assert_eq!(said(CONTRADICTED, 100_000_000), Some((texts::DOUBT.en, None)));
+        assert_eq!(said(CONTRADICTED, 100_000_000), Some((Doubt, None)));
     }
 
     #[test]
     fn a_reset_by_the_watchdog_is_said_like_a_panic_without_its_source_line() {
         let restart = |restart| Conditions { restart: Some(restart), ..Conditions::default() };
-        assert_eq!(said(restart(Restart::Watchdog), 0), Some((texts::RESTARTED.en, None)));
-        assert_eq!(said(restart(Restart::Panic(None)), 0), Some((texts::RESTARTED.en, None)));
-        assert_eq!(said(restart(Restart::Panic(Some(146))), 0), Some((texts::RESTARTED.en, Some(146))));
+        assert_eq!(said(restart(Restart::Watchdog), 0), Some((Restarted, None)));
+        assert_eq!(said(restart(Restart::Panic(None)), 0), Some((Restarted, None)));
+        assert_eq!(said(restart(Restart::Panic(Some(146))), 0), Some((Restarted, Some(146))));
     }
 
     #[test]
     fn of_several_causes_the_one_nearest_to_the_wires_is_said() {
         let all = Conditions { controller_missing: true, ..RESTARTED };
-        assert_eq!(said(all, 5_000), Some((texts::NO_CONTROLLER.en, None)));
+        assert_eq!(said(all, 5_000), Some((NoController, None)));
         let both = Conditions { search: Some(Search::Contradicted), ..RESTARTED };
         assert_eq!(
             [9_000, 11_000].map(|now| said(both, now)),
-            [Some((texts::RESTARTED.en, None)), Some((texts::DOUBT.en, None))]
+            [Some((Restarted, None)), Some((Doubt, None))]
         );
     }
 }

@@ -5,7 +5,6 @@ use cluster::{Cluster, Controller, Counters, View};
 use pico::{Boot, Reset};
 use protocol_core::link::{
     CHUNK, Chunk, Excerpt, Fault, Health, Record, ResetReason, Sample, Screen, ScreenLine, Trip, Trips,
-    text_id,
 };
 use protocol_core::{Millis, Shown, Value, Vehicle};
 
@@ -131,8 +130,9 @@ pub fn screen(view: &View, now_ms: u64) -> Record {
         plug: view.charging.map(|charging| charging.plug as u8),
         telltales: view.telltales.bits(),
         line: view.line.map(|line| ScreenLine {
-            text: text_id(line.text.en),
-            code: line.code,
+            fault: line.named.fault.number(),
+            stage: line.named.stage,
+            code: line.named.code,
             severity: line.severity as u8,
             position: line.position,
             count: line.count,
@@ -162,10 +162,10 @@ pub fn active(cluster: &Cluster, place: usize, now: Millis) -> Option<(Record, M
     let count = cluster.active_faults(now).count() as u8;
     let record = Fault {
         place: place as u8,
-        source: fault.source.number(),
-        code: fault.code,
+        fault: fault.named.fault.number(),
+        stage: fault.named.stage,
+        code: fault.named.code,
         severity: fault.severity as u8,
-        text: text_id(fault.text.en),
         first_ms: fault.first.0,
         times: fault.count,
     };
@@ -178,13 +178,12 @@ pub const ALL_CLEAR: Record = Record::Active { count: 0, fault: None };
 /// The remembered fault at `place`, and when it came last; `None` = there are fewer.
 pub fn remembered(cluster: &Cluster, place: usize) -> Option<(Record, Millis)> {
     let entry = cluster.history().nth(place)?;
-    let (text, _) = cluster.remembered(entry);
     let fault = Fault {
         place: place as u8,
-        source: entry.source.number(),
+        fault: entry.fault.number(),
+        stage: cluster.named(entry).stage,
         code: entry.code,
         severity: entry.severity as u8,
-        text: text_id(text.en),
         first_ms: entry.first.0,
         times: entry.count,
     };

@@ -14,7 +14,7 @@ use crate::{
     words,
 };
 use cluster::{
-    Telltale, TelltaleColour, Telltales, View,
+    FaultId, Named, Telltale, TelltaleColour, Telltales, View,
     view::{Language, Limp, Line, Text, Theme},
 };
 use protocol_core::model::{Severity, Shown};
@@ -223,7 +223,8 @@ const fn band_right(chip: u16) -> u16 {
 ///
 /// Vehicles' tests hold their texts against this.
 pub fn message_room(text: &str, code: Option<u16>) -> (u16, u16) {
-    let line = Line { severity: Severity::Stop, text: Text::default(), code, position: 1, count: 9 };
+    let named = Named { code, ..Named::of(FaultId::VehicleCode) };
+    let line = Line { named, severity: Severity::Stop, text: Text::default(), code, position: 1, count: 9 };
     let tail = Message::of(&line, Glyphs::EMPTY, Language::Chinese).tail.width;
     (fonts::MESSAGE.width(text), layout::BAND_RIGHT - layout::BAND_LEFT - tail - TAIL_GAP)
 }
@@ -630,6 +631,7 @@ pub(crate) fn label_area(label: &Label, language: Language) -> Area {
 mod tests {
     use super::*;
     use protocol_core::model::Gear;
+    use protocol_core::vehicle::NO_VEHICLE;
     extern crate std;
     use std::string::String;
 
@@ -640,6 +642,11 @@ mod tests {
 
     fn number(value: i32, count: usize, decimals: usize) -> String {
         read(Figures::<8>::of(Shown::Value(value), count, decimals))
+    }
+
+    /// A line that says it is time to stop.
+    fn line(named: Named) -> Line {
+        Line::of(named, Severity::Stop, &NO_VEHICLE)
     }
 
     #[test]
@@ -733,11 +740,10 @@ mod tests {
                     is_power_limited: true,
                     limp: Some(Limp { limit_deciamps: shown.value() }),
                     line: Some(Line {
-                        severity: Severity::Stop,
-                        text: cluster::texts::LIMP,
                         code: Some(u16::MAX),
                         position: 99,
                         count: 99,
+                        ..line(Named::of(FaultId::Limp))
                     }),
                     ..View::default()
                 };
@@ -788,11 +794,11 @@ mod tests {
         let long = "W".repeat(60);
         let text: &'static str = std::boxed::Box::leak(long.into_boxed_str());
         let line = Line {
-            severity: Severity::Warn,
             text: Text { zh: text, en: text },
             code: Some(65_535),
             position: 12,
             count: 12,
+            ..line(Named::of(FaultId::VehicleCode))
         };
         let message = Message::of(&line, Glyphs::EMPTY, Language::English);
         let last = message.text.places[usize::from(message.text.length) - 1];
@@ -806,17 +812,17 @@ mod tests {
         let counting = View { hv_off_s: Some(35), ..View::default() };
         let limping = View { limp: Some(Limp { limit_deciamps: Some(600) }), ..View::default() };
         let lines = [
-            (counting, cluster::texts::HV_OFF_ASKED),
-            (counting, cluster::texts::HV_OFF_OVERDUE),
-            (limping, cluster::texts::LIMP),
+            (counting, Named::of(FaultId::HvOff)),
+            (counting, Named { stage: 1, ..Named::of(FaultId::HvOff) }),
+            (limping, Named::of(FaultId::Limp)),
         ];
-        for (view, text) in lines {
+        for (view, named) in lines {
             for language in [Language::Chinese, Language::English] {
-                let line = Line { severity: Severity::Stop, text, code: None, position: 3, count: 12 };
+                let line = Line { position: 3, count: 12, ..line(named) };
                 let message = Message::of(&line, chip(&view), language);
                 assert!(message.chip.width > 0);
-                let length = said(text, language).chars().count();
-                assert_eq!(usize::from(message.text.length), length, "{text:?} is cut");
+                let length = said(line.text, language).chars().count();
+                assert_eq!(usize::from(message.text.length), length, "{:?} is cut", line.text);
             }
         }
     }

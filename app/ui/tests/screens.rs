@@ -5,13 +5,13 @@
 mod common;
 
 use cluster::{
-    Page, Telltale, Telltales, Trip, View,
+    FaultId, Named, Page, Telltale, Telltales, Trip, View,
     page::Chapter,
-    texts,
     view::{Journey, Limp, Line, List, Plug, Sheet},
 };
 use common::{Panel, day, english, lamps, line, list, missing, on, plugged, sheets, travelled};
 use protocol_core::model::{Gear, Severity, Shown};
+use protocol_core::vehicle::NO_VEHICLE;
 use std::{fs, path::Path};
 use ui::{HEIGHT, WIDTH};
 
@@ -143,11 +143,8 @@ fn hv_off_view() -> View {
         telltales: lamps(&[Telltale::BatteryFault, Telltale::SystemFault, Telltale::Ready]),
         severity: Severity::Stop,
         line: Some(Line {
-            severity: Severity::Stop,
-            text: texts::HV_OFF_OVERDUE,
-            code: None,
-            position: 1,
             count: 3,
+            ..Line::of(Named { stage: 1, ..Named::of(FaultId::HvOff) }, Severity::Stop, &NO_VEHICLE)
         }),
         hv_off_s: Some(28),
         ..travelled()
@@ -160,7 +157,7 @@ fn limp_view() -> View {
         telltales: lamps(&[Telltale::Ready, Telltale::PowerLimited, Telltale::NoCommunication]),
         is_power_limited: true,
         severity: Severity::Derate,
-        line: Some(Line { severity: Severity::Derate, text: texts::LIMP, code: None, position: 1, count: 2 }),
+        line: Some(Line { count: 2, ..Line::of(Named::of(FaultId::Limp), Severity::Derate, &NO_VEHICLE) }),
         limp: Some(Limp { limit_deciamps: Some(540) }),
         ..missing::<true>(travelled())
     }

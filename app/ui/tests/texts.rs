@@ -1,5 +1,6 @@
 //! Every character that a source or a vehicle can show has a glyph.
 
+use cluster::faults::ROWS;
 use std::{
     collections::BTreeMap,
     fs,
@@ -27,9 +28,11 @@ fn collect(folder: &Path, ending: &str, found: &mut BTreeMap<char, PathBuf>) {
 fn every_character_of_every_text_has_a_glyph() {
     let root = surroundings::root();
     let mut found = BTreeMap::new();
-    for text in cluster::texts::ALL {
+    for text in ROWS.iter().flat_map(|row| row.words.texts()) {
         let characters = [text.zh, text.en].into_iter().flat_map(str::chars);
-        found.extend(characters.filter(|c| !c.is_ascii()).map(|c| (c, PathBuf::from("cluster::texts"))));
+        found.extend(
+            characters.filter(|c| !c.is_ascii()).map(|c| (c, PathBuf::from("cluster::faults::ROWS"))),
+        );
     }
     collect(&root.join("app/ui/src"), "words.rs", &mut found);
     collect(&root.join("vehicles"), ".toml", &mut found);
@@ -75,7 +78,7 @@ fn every_fault_text_fits_the_message_line_beside_its_code() {
 
 #[test]
 fn every_text_of_the_cluster_fits_and_has_glyphs() {
-    for text in cluster::texts::ALL.iter().flat_map(|text| [text.zh, text.en]) {
+    for text in ROWS.iter().flat_map(|row| row.words.texts()).flat_map(|text| [text.zh, text.en]) {
         let (width, room) = ui::message_room(text, None);
         assert!(width <= room, "{text:?} takes {width} of {room} pixels: shorten it");
         assert!(text.chars().all(ui::has_glyph), "{text:?}: run `cargo xtask fonts`");

@@ -1,6 +1,6 @@
 //! What every page is told a few times a second: time, settings, truths, the bus, the cluster's own words.
 //!
-//! Only reads the bench. Text of the message line is found by its number among the texts that the firmware has.
+//! Only reads the bench. The words of the message line are those of the row of its fault.
 
 use super::catalog;
 use super::pace::Pace;
@@ -11,10 +11,9 @@ use super::wires::Wires;
 use crate::chips::panel::BACKLIGHT_FULL;
 use crate::rig::Rig;
 use crate::time::Nanos;
-use cluster::Telltale;
-use cluster::texts;
-use protocol_core::generated::VEHICLES;
-use protocol_core::link::{ScreenLine, text_id};
+use cluster::{Named, Telltale};
+use protocol_core::Vehicle;
+use protocol_core::link::ScreenLine;
 use serde::Serialize;
 use std::time::Duration;
 use virtual_vehicle::Setting;
@@ -25,6 +24,8 @@ const TONES_MAX: usize = 32;
 /// The message line, in words.
 #[derive(Debug, Serialize)]
 struct Line {
+    /// Public name of the fault; empty = of a newer firmware.
+    fault: &'static str,
     zh: &'static str,
     en: &'static str,
     code: Option<u16>,
@@ -131,7 +132,7 @@ impl<'a> State<'a> {
                 .unwrap_or_default(),
             shown: rig.shown_lines(),
             telltales: screen.map(|screen| telltales(screen.telltales)).unwrap_or_default(),
-            line: screen.and_then(|screen| screen.line).map(|line| line_of(&line)),
+            line: screen.and_then(|screen| screen.line).map(|line| line_of(&line, rig.identified())),
             bus: around.bus,
             recording: around.recording,
             recorded: around.recorded,
@@ -159,24 +160,35 @@ fn telltales(lit: u32) -> Vec<(&'static str, &'static str)> {
     telltales.map(|(_, telltale)| (telltale.key(), telltale.colour().key())).collect()
 }
 
-fn line_of(line: &ScreenLine) -> Line {
-    let own = texts::ALL.iter().map(|text| (text.zh, text.en));
-    let faults = VEHICLES.iter().flat_map(|vehicle| vehicle.faults).map(|fault| (fault.zh, fault.en));
-    let words = own.chain(faults).find(|(_, en)| text_id(en) == line.text);
-    let (zh, en) = words.unwrap_or(("其他提示", "Another message"));
-    Line { zh, en, code: line.code, severity: line.severity, position: line.position, count: line.count }
+fn line_of(line: &ScreenLine, vehicle: &Vehicle) -> Line {
+    let ScreenLine { fault, stage, code, severity, position, count } = *line;
+    let named = Named::of_record(fault, stage, code);
+    let (fault, code) = named.map_or(("", code), |named| (named.fault.key(), named.printed_code()));
+    let (zh, en) = named.map_or(("其他提示", "Another message"), |named| {
+        let text = named.text(vehicle);
+        (text.zh, text.en)
+    });
+    Line { fault, zh, en, code, severity, position, count }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cluster::FaultId;
+    use protocol_core::generated::citybus::VEHICLE;
+
+    fn line(fault: u8, stage: u8, code: Option<u16>) -> Line {
+        line_of(&ScreenLine { fault, stage, code, ..ScreenLine::default() }, &VEHICLE)
+    }
 
     #[test]
-    fn the_message_line_is_found_by_its_number() {
-        let line =
-            ScreenLine { text: text_id("System fault level 3"), code: Some(7), ..ScreenLine::default() };
-        assert_eq!(line_of(&line).zh, "系统三级故障");
-        assert_eq!(line_of(&line).code, Some(7));
+    fn the_message_line_has_the_words_of_its_fault() {
+        let level = line(FaultId::VehicleLevel.number(), 2, None);
+        assert_eq!((level.fault, level.zh, level.code), ("vehicle_level", "系统三级故障", None));
+        let code = line(FaultId::Battery.number(), 0, Some(105));
+        assert_eq!((code.en, code.code), ("Battery too hot", Some(105)));
+        assert_eq!(line(FaultId::BatteryAlarm.number(), 0, Some(7)).code, None, "no document prints a bit");
+        assert_eq!((line(250, 0, None).fault, line(250, 0, None).en), ("", "Another message"));
     }
 
     #[test]

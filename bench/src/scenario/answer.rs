@@ -3,9 +3,10 @@
 //! Numbers are in everyday units and must be met exactly; where physics decides, a scenario gives a range. A value that
 //! is missing is a word of its own: `never`, `stale`, `invalid`.
 
+use super::line::{FoundLine, WantedLine};
 use protocol_core::Value;
 use protocol_core::link::Sample;
-use protocol_core::model::{Missing, Severity, Shown};
+use protocol_core::model::{Missing, Shown};
 use std::fmt;
 use virtual_vehicle::Readout;
 
@@ -25,21 +26,6 @@ pub enum Answer {
     Line(Option<FoundLine>),
 }
 
-/// A message line as it was found.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FoundLine {
-    /// Its English text; the link carries a number that several texts may share.
-    pub texts: Vec<String>,
-    /// The code beside it.
-    pub code: Option<u16>,
-    /// How bad it is.
-    pub severity: Severity,
-    /// Which of the lines that take turns.
-    pub position: u8,
-    /// How many take turns.
-    pub count: u8,
-}
-
 /// What is wanted under a name.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wanted {
@@ -51,19 +37,6 @@ pub enum Wanted {
     Words(Vec<String>),
     /// A message line.
     Line(WantedLine),
-}
-
-/// What is wanted of a message line; what is `None` does not matter.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct WantedLine {
-    /// English text.
-    pub text: Option<String>,
-    /// Code; `Some(None)` = there must be none.
-    pub code: Option<Option<u16>>,
-    /// How bad.
-    pub severity: Option<Severity>,
-    /// How many lines take turns.
-    pub count: Option<u8>,
 }
 
 impl Answer {
@@ -130,15 +103,6 @@ impl Wanted {
     }
 }
 
-impl WantedLine {
-    fn fits(&self, line: &FoundLine) -> bool {
-        self.text.as_ref().is_none_or(|text| line.texts.contains(text))
-            && self.code.is_none_or(|code| code == line.code)
-            && self.severity.is_none_or(|severity| severity == line.severity)
-            && self.count.is_none_or(|count| count == line.count)
-    }
-}
-
 impl fmt::Display for Answer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -146,14 +110,7 @@ impl fmt::Display for Answer {
             Self::Word(word) => f.write_str(word),
             Self::Pause(sound) => write!(f, "{sound} or none"),
             Self::Line(None) => f.write_str("none"),
-            Self::Line(Some(line)) => {
-                write!(f, "{} ", line.severity.word())?;
-                if let Some(code) = line.code {
-                    write!(f, "{code} ")?;
-                }
-                write!(f, "\"{}\"", line.texts.join("\" or \""))?;
-                if line.count > 1 { write!(f, " ({} of {})", line.position, line.count) } else { Ok(()) }
-            }
+            Self::Line(Some(line)) => line.fmt(f),
         }
     }
 }
@@ -164,14 +121,7 @@ impl fmt::Display for Wanted {
             Self::Number(number) => write!(f, "{number}"),
             Self::Range(low, high) => write!(f, "{low} to {high}"),
             Self::Words(words) => f.write_str(&words.join(" or ")),
-            Self::Line(line) => {
-                let severity = line.severity.map(|severity| severity.word().to_owned());
-                let code = line.code.map(|code| code.map_or("no code".into(), |code| code.to_string()));
-                let text = line.text.as_ref().map(|text| format!("\"{text}\""));
-                let count = line.count.map(|count| format!("(1 of {count})"));
-                let parts: Vec<String> = [severity, code, text, count].into_iter().flatten().collect();
-                f.write_str(&parts.join(" "))
-            }
+            Self::Line(line) => line.fmt(f),
         }
     }
 }
@@ -179,6 +129,8 @@ impl fmt::Display for Wanted {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cluster::{FaultId, Named};
+    use protocol_core::model::Severity;
 
     #[test]
     fn a_missing_value_is_a_word_and_never_zero() {
@@ -206,21 +158,12 @@ mod tests {
     }
 
     #[test]
-    fn a_line_must_have_all_that_is_asked_and_may_have_more() {
-        let line = FoundLine {
-            texts: vec!["a".into(), "b".into()],
-            code: Some(24),
-            severity: Severity::Stop,
-            position: 1,
-            count: 2,
-        };
+    fn a_line_is_found_by_its_fault_and_an_empty_one_by_none() {
+        let named = Ok(Named::of(FaultId::Fire));
+        let line = FoundLine { named, text: "FIRE", severity: Severity::Stop, position: 1, count: 1 };
         let found = Answer::Line(Some(line));
-        let fits = |wanted| Wanted::Line(wanted).fits(&found);
-        assert!(fits(WantedLine { text: Some("b".into()), ..WantedLine::default() }));
-        assert!(!fits(WantedLine { text: Some("c".into()), ..WantedLine::default() }));
-        assert!(fits(WantedLine { code: Some(Some(24)), ..WantedLine::default() }));
-        assert!(!fits(WantedLine { code: Some(None), ..WantedLine::default() }));
-        assert!(!fits(WantedLine { severity: Some(Severity::Warn), ..WantedLine::default() }));
+        let of = |fault| Wanted::Line(WantedLine { faults: vec![fault], ..WantedLine::default() });
+        assert!(of(FaultId::Fire).fits(&found) && !of(FaultId::Limp).fits(&found));
         assert!(!Wanted::Words(vec!["none".into()]).fits(&found));
         assert!(Wanted::Words(vec!["none".into()]).fits(&Answer::Line(None)));
     }

@@ -3,9 +3,8 @@
 //! What is shown comes from the PC link's records, what is sent from the bus, the sound from the buzzer's pin, pictures
 //! from the panel's memory. Nothing is asked of the firmware that it does not tell a person or a computer anyway.
 
-use super::answer::FoundLine;
 use super::host_subject::{Transmitted, gear, page};
-use super::name::{line_texts, snake};
+use super::line::FoundLine;
 use super::sound::{self, LONGEST_PAUSE_MS};
 use super::{Action, Answer, BusFault, Name, Place, Subject};
 use crate::chips::picture::Picture;
@@ -13,7 +12,7 @@ use crate::rig::{Rig, RigOptions};
 use crate::time::Nanos;
 use anyhow::{Context, Result};
 use cluster::Button;
-use protocol_core::link::{Screen, ScreenLine, text_id};
+use protocol_core::link::Screen;
 use protocol_core::model::{Gear, Severity};
 use std::path::{Path, PathBuf};
 use virtual_vehicle::{Kind, Options, VirtualVehicle};
@@ -44,7 +43,6 @@ const QUIET: Nanos = Nanos::from_millis(5);
 /// The firmware beside a virtual vehicle.
 pub struct BenchSubject {
     rig: Rig,
-    kind: Kind,
     pictures: Pictures,
     sent: Transmitted,
     /// Number of the first frame on the bus that has not been looked at.
@@ -60,26 +58,15 @@ impl BenchSubject {
     /// If the file is not an image for the board.
     pub fn new(elf: &Path, kind: Kind, options: Options, pictures: Pictures) -> Result<Self> {
         let usual = RigOptions::default();
-        let bitrate = super::name::vehicle(kind).map_or(usual.bitrate, |vehicle| vehicle.bitrate);
+        let bitrate = super::vehicle(kind).map_or(usual.bitrate, |vehicle| vehicle.bitrate);
         let mut rig = Rig::new(elf, &RigOptions { bitrate, ..usual })?;
         rig.drive(VirtualVehicle::new(kind, options));
-        Ok(Self { rig, kind, pictures, sent: Transmitted::default(), heard: 0, golden: Vec::new() })
+        Ok(Self { rig, pictures, sent: Transmitted::default(), heard: 0, golden: Vec::new() })
     }
 
     /// The bench, to look at more than a scenario can name.
     pub fn rig(&self) -> &Rig {
         &self.rig
-    }
-
-    fn line(&self, line: ScreenLine) -> FoundLine {
-        let texts: Vec<String> = line_texts(self.kind)
-            .into_iter()
-            .filter(|en| text_id(en) == line.text)
-            .map(str::to_owned)
-            .collect();
-        let texts = if texts.is_empty() { vec![format!("text {}", line.text)] } else { texts };
-        let severity = Severity::from_model(line.severity.into());
-        FoundLine { texts, code: line.code, severity, position: line.position, count: line.count }
     }
 
     /// Compares the panel with a golden picture.
@@ -164,6 +151,7 @@ impl Subject for BenchSubject {
     }
 
     fn look(&mut self, name: &Name) -> Option<Answer> {
+        let vehicle = self.rig.identified();
         let shown = |answer: &dyn Fn(Screen) -> Answer| {
             self.rig.screen().map_or_else(|| Answer::word("never"), answer)
         };
@@ -171,7 +159,9 @@ impl Subject for BenchSubject {
             Name::Speed => shown(&|screen| Answer::of_number(screen.speed_kmh)),
             Name::Gear => shown(&|screen| gear(Gear::from_number(screen.gear.into()))),
             Name::Odometer => shown(&|screen| Answer::Number(f64::from(screen.odometer_hectometres) / 10.0)),
-            Name::Line => shown(&|screen| Answer::Line(screen.line.map(|line| self.line(line)))),
+            Name::Line => {
+                shown(&|screen| Answer::Line(screen.line.map(|line| FoundLine::of_record(line, vehicle))))
+            }
             Name::Severity => shown(&|screen| {
                 let severity = screen.line.map_or(0, |line| line.severity);
                 Answer::word(Severity::from_model(severity.into()).word())
@@ -212,20 +202,11 @@ impl Subject for BenchSubject {
     }
 }
 
-/// Returns a field of the health record; an enumeration is told by its word.
+/// Returns a field of the health record; a state is told by its word.
 fn health(health: protocol_core::link::Health, field: &str) -> Answer {
     match serde_json::to_value(health).ok().and_then(|record| record.get(field).cloned()) {
         Some(serde_json::Value::Number(number)) => Answer::Number(number.as_f64().unwrap_or_default()),
-        Some(serde_json::Value::String(variant)) => Answer::Word(snake(Variant(&variant))),
+        Some(serde_json::Value::String(word)) => Answer::Word(word),
         _ => Answer::word("never"),
-    }
-}
-
-/// The name of a variant that prints as it is.
-struct Variant<'v>(&'v str);
-
-impl std::fmt::Debug for Variant<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.0)
     }
 }

@@ -3,13 +3,11 @@
 //! TOML, one row per step; bench/scenarios/README.md has the format. Steps stand in the order of time. What cannot be
 //! done or looked at in this vehicle is refused here, before anything runs.
 
-use super::name::line_texts;
 use super::{Act, Action, BusFault, Demand, Name, Place, Scenario, Wanted};
 use crate::can::{Frame, Id};
-use crate::scenario::answer::WantedLine;
+use crate::scenario::line::WantedLine;
 use anyhow::{Context, Result, bail};
 use cluster::Button;
-use protocol_core::Severity;
 use serde::Deserialize;
 use std::path::Path;
 use toml::{Spanned, Table, Value};
@@ -370,12 +368,13 @@ impl Reader<'_> {
             }
             Err(format!("`{name}` is never `{word}`; it is one of {}", there.join(", ")))
         };
+        if *name == Name::Line
+            && value.as_str() != Some("none")
+            && let Some(line) = WantedLine::read(value, self.kind)
+        {
+            return line.map(Wanted::Line);
+        }
         match value {
-            Value::Table(table) if *name == Name::Line => self.line(table).map(Wanted::Line),
-            Value::String(text) if *name == Name::Line && text != "none" => {
-                let text = Some(self.line_text(text)?);
-                Ok(Wanted::Line(WantedLine { text, ..WantedLine::default() }))
-            }
             Value::String(word) => check(word).map(|word| Wanted::Words(vec![word])),
             Value::Boolean(on) => {
                 let words = if *on { ["on", "yes"] } else { ["off", "no"] };
@@ -383,7 +382,7 @@ impl Reader<'_> {
                 let word = word.ok_or_else(|| format!("`{name}` is not a yes or no"))?;
                 Ok(Wanted::Words(vec![word.to_owned()]))
             }
-            Value::Array(items) if items.iter().all(Value::is_str) => {
+            Value::Array(items) if !items.is_empty() && items.iter().all(Value::is_str) => {
                 let words = items.iter().filter_map(Value::as_str).map(check);
                 words.collect::<Result<_, _>>().map(Wanted::Words)
             }
@@ -404,41 +403,6 @@ impl Reader<'_> {
                 number(value).map(Wanted::Number).ok_or_else(|| format!("`{name}` takes a number or a word"))
             }
         }
-    }
-
-    fn line(&self, table: &Table) -> Result<WantedLine, String> {
-        let mut line = WantedLine::default();
-        let small = |value: &Value| value.as_integer().and_then(|number| u16::try_from(number).ok());
-        for (key, value) in table {
-            match (&key[..], value) {
-                ("text", Value::String(text)) => line.text = Some(self.line_text(text)?),
-                ("code", Value::String(none)) if none == "none" => line.code = Some(None),
-                ("code", value) if small(value).is_some() => line.code = Some(small(value)),
-                ("severity", Value::String(word)) => {
-                    let words = || Severity::ALL.iter().map(|severity| severity.word()).collect::<Vec<_>>();
-                    let severity = Severity::from_word(word);
-                    let wrong = || format!("the severity of a line is one of {}", words().join(", "));
-                    line.severity = Some(severity.ok_or_else(wrong)?);
-                }
-                ("count", value) if small(value).is_some_and(|count| count < 256) => {
-                    line.count = small(value).map(|count| count as u8);
-                }
-                _ => return Err("a line has `text`, `code` (or \"none\"), `severity` and `count`".into()),
-            }
-        }
-        Ok(line)
-    }
-
-    /// Returns a text that can stand in the line.
-    fn line_text(&self, text: &str) -> Result<String, String> {
-        let texts = line_texts(self.kind);
-        if texts.contains(&text) {
-            return Ok(text.to_owned());
-        }
-        let words: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
-        let shared = |other: &str| words.iter().filter(|word| other.to_lowercase().contains(*word)).count();
-        let near = texts.iter().max_by_key(|other| shared(other)).copied().unwrap_or_default();
-        Err(format!("no line says \"{text}\"; the nearest is \"{near}\""))
     }
 }
 
@@ -530,7 +494,8 @@ mod tests {
              { at = 5, press = \"left\" },\n\
              { at = 6, send = \"18F13DF3\" },\n\
              { at = 7, never = { sound = \"stop\" } },\n\
-             { at = 8, expect = { line = \"Battery fault level 9\" } },",
+             { at = 8, expect = { line = { text = \"Battery fault level 3\" } } },\n\
+             { at = 8, expect = { line = [] } },",
         );
         let lines: Vec<&str> = all.lines().collect();
         let has = |line: usize, part: &str| {
@@ -546,7 +511,8 @@ mod tests {
         has(8, "`left` is no button; there are next and menu");
         has(9, "`18F13DF3` is no frame");
         has(10, "`never` needs an end");
-        has(11, "the nearest is \"Battery fault level");
+        has(11, "is written { fault = \"battery_code\", stage = \"level_3\" }");
+        has(12, "`line` is no number; it is one of none");
     }
 
     #[test]

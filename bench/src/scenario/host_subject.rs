@@ -3,12 +3,12 @@
 //! The same instrument as on the chip, fed like there: frames, the own wires from the vehicle's body, the time. There is
 //! no bus and no controller: a fault of the bus is nothing but silence, and frames take no time.
 
-use super::answer::FoundLine;
-use super::name::{PAGES, Signal, snake};
+use super::line::FoundLine;
+use super::name::Signal;
 use super::{Action, Answer, BusFault, Name, Place, Subject};
 use crate::switches;
 use anyhow::Result;
-use cluster::view::Line;
+use cluster::page::key_of;
 use cluster::{Button, Buttons, Contacts, Inputs, Instrument, Key, Sound, View};
 use protocol_core::generated::SHIPPED_VEHICLES;
 use protocol_core::link::Sample;
@@ -61,9 +61,7 @@ impl HostSubject {
         let now = self.now();
         self.instrument.tick(&inputs(self.vehicle.world(), self.buttons), now);
         let access = self.instrument.look(|| false, now);
-        debug_assert!(
-            super::name::vehicle(self.vehicle.kind()).is_none_or(|it| it.bitrate == access.bitrate)
-        );
+        debug_assert!(super::vehicle(self.vehicle.kind()).is_none_or(|it| it.bitrate == access.bitrate));
         let Self { instrument, vehicle, sent, now_ms, .. } = self;
         while instrument.offer(|frame| {
             if !is_silent {
@@ -119,7 +117,7 @@ impl Subject for HostSubject {
             Name::Speed => Answer::of_number(sample(view.speed_kmh)),
             Name::Gear => gear(view.gear),
             Name::Odometer => Answer::Number(f64::from(view.odometer_hectometres) / 10.0),
-            Name::Line => Answer::Line(view.line.map(found)),
+            Name::Line => Answer::Line(view.line.map(FoundLine::of_view)),
             Name::Severity => Answer::word(view.line.map(|line| line.severity).unwrap_or_default().word()),
             Name::Telltale(lamp) => Answer::word(if view.telltales.is_lit(*lamp) { "on" } else { "off" }),
             Name::Countdown => view.hv_off_s.map_or(Answer::word("none"), |s| Answer::Number(s.into())),
@@ -141,7 +139,7 @@ impl Subject for HostSubject {
 
     fn sound_at(&self, ms: u64) -> Answer {
         let sound = self.sounds.iter().rev().find(|(at, _)| *at <= ms).and_then(|(_, sound)| *sound);
-        Answer::Word(sound.map_or_else(|| "none".into(), snake))
+        Answer::Word(sound.map_or_else(|| "none".into(), |sound| sound.key().to_owned()))
     }
 
     fn hindsight_ms(&self) -> u64 {
@@ -189,21 +187,11 @@ pub(super) fn gear(gear: Option<Gear>) -> Answer {
 }
 
 pub(super) fn page(number: u8) -> Answer {
-    Answer::word(PAGES[usize::from(number).min(PAGES.len() - 1)])
+    Answer::word(key_of(number).unwrap_or("unknown"))
 }
 
 fn sample(shown: Shown<impl Into<i32>>) -> Sample {
     shown.map(Into::into).into()
-}
-
-fn found(line: Line) -> FoundLine {
-    FoundLine {
-        texts: vec![line.text.en.to_owned()],
-        code: line.code,
-        severity: line.severity,
-        position: line.position,
-        count: line.count,
-    }
 }
 
 /// The cluster's own wires, as the board's pins bring them to the firmware.

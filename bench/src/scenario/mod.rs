@@ -8,6 +8,7 @@ mod answer;
 mod bench_subject;
 mod format;
 mod host_subject;
+mod line;
 mod name;
 mod runner;
 mod sound;
@@ -24,6 +25,8 @@ pub use subject::Subject;
 use crate::can::Frame;
 use anyhow::{Context, Result, bail};
 use cluster::Button;
+use protocol_core::Vehicle;
+use protocol_core::generated::VEHICLES;
 use std::fmt;
 use std::path::PathBuf;
 use virtual_vehicle::{Kind, Options, Setting};
@@ -155,6 +158,11 @@ impl Scenario {
         let file = self.file.rsplit('/').next().unwrap_or(&self.file);
         file.strip_suffix(".toml").unwrap_or(file)
     }
+}
+
+/// Returns what the cluster knows of the vehicle.
+fn vehicle(kind: Kind) -> Option<&'static Vehicle> {
+    VEHICLES.iter().copied().find(|vehicle| vehicle.name == kind.name())
 }
 
 /// Returns the folder of all scenarios: one folder per vehicle.

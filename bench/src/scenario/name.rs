@@ -3,14 +3,15 @@
 //! Owns the names and what each can be answered with, so that a misspelt expectation is an error and not a failure.
 //! Refuses to know how a subject finds the answer.
 
-use super::sound;
-use cluster::{Telltale, texts};
+use super::{sound, vehicle};
+use cluster::Telltale;
+use cluster::page::keys;
+use protocol_core::Value;
 use protocol_core::codec::{MessageInfo, SignalInfo};
-use protocol_core::generated::{MESSAGES, VEHICLES};
+use protocol_core::generated::MESSAGES;
 use protocol_core::link::Health;
 use protocol_core::model::{Gear, Missing, Severity};
-use protocol_core::states::{self, Confinement};
-use protocol_core::{Value, Vehicle};
+use protocol_core::states::{self, Confinement, ResetReason};
 use std::fmt;
 use virtual_vehicle::{Kind, Readout, VirtualVehicle};
 
@@ -75,8 +76,19 @@ impl Signal {
     }
 }
 
-/// Pages of the screen, in the order of their numbers; all from the last on are technical.
-pub(super) const PAGES: [&str; 7] = ["main", "trip_a", "trip_b", "energy", "faults", "history", "technic"];
+/// Names of one word.
+const PLAIN: [(&str, Name); 10] = [
+    ("speed", Name::Speed),
+    ("gear", Name::Gear),
+    ("odometer", Name::Odometer),
+    ("line", Name::Line),
+    ("severity", Name::Severity),
+    ("sound", Name::Sound),
+    ("countdown", Name::Countdown),
+    ("limp", Name::Limp),
+    ("page", Name::Page),
+    ("picture", Name::Picture),
+];
 
 /// What a name can be answered with.
 pub(super) struct Answers {
@@ -99,22 +111,10 @@ impl Answers {
 impl Name {
     /// Reads a name; the error says what there is instead.
     pub(super) fn read(text: &str, kind: Kind) -> Result<Self, String> {
-        let plain = [
-            ("speed", Self::Speed),
-            ("gear", Self::Gear),
-            ("odometer", Self::Odometer),
-            ("line", Self::Line),
-            ("severity", Self::Severity),
-            ("sound", Self::Sound),
-            ("countdown", Self::Countdown),
-            ("limp", Self::Limp),
-            ("page", Self::Page),
-            ("picture", Self::Picture),
-        ];
-        if let Some((_, name)) = plain.iter().find(|(word, _)| *word == text) {
+        if let Some((_, name)) = PLAIN.iter().find(|(word, _)| *word == text) {
             return Ok(name.clone());
         }
-        let names = plain.map(|(word, _)| word).join(", ");
+        let names = PLAIN.map(|(word, _)| word).join(", ");
         let (group, rest) = text.split_once('.').ok_or_else(|| {
             format!("`{text}` cannot be looked at; there are {names}, telltale.*, sent.*, truth.*, health.* and the values")
         })?;
@@ -184,7 +184,7 @@ impl Name {
             Self::Sound => (false, sound::words().map(str::to_owned).collect()),
             Self::Countdown => (true, words(&["none"])),
             Self::Limp => (true, words(&["none", "unknown"])),
-            Self::Page => (false, words(&PAGES)),
+            Self::Page => (false, keys().map(str::to_owned).collect()),
             Self::Value(_) | Self::Truth { .. } => (kind.is_none(), [missing(), states()].concat()),
             Self::Sent(signal) => {
                 let mut all = missing();
@@ -192,7 +192,8 @@ impl Name {
                 (true, all)
             }
             Self::Health(_) => {
-                let mut all = words(&["unknown", "power", "pin", "watchdog", "panic", "never"]);
+                let mut all = words(&["never"]);
+                all.extend(ResetReason::ALL.iter().map(|reason| reason.word().to_owned()));
                 let confinement = Confinement::ALL.iter().map(|state| state.word());
                 all.extend(confinement.chain([Confinement::OFFLINE]).map(str::to_owned));
                 (true, all)
@@ -211,37 +212,12 @@ impl fmt::Display for Name {
             Self::Sent(signal) => write!(f, "sent.{}.{}", signal.message.name, signal.info().name),
             Self::Truth { path, .. } => write!(f, "truth.{path}"),
             Self::Health(field) => write!(f, "health.{field}"),
-            other => f.write_str(&snake(other)),
+            other => {
+                let plain = PLAIN.iter().find(|(_, name)| name == other);
+                f.write_str(plain.map_or("", |(word, _)| word))
+            }
         }
     }
-}
-
-/// Returns the name of a variant as scenario files have it: `LowCharge` -> `low_charge`.
-pub(super) fn snake(variant: impl fmt::Debug) -> String {
-    let mut words = String::new();
-    for letter in format!("{variant:?}").chars() {
-        if letter.is_ascii_uppercase() && !words.is_empty() {
-            words.push('_');
-        }
-        words.push(letter.to_ascii_lowercase());
-    }
-    words
-}
-
-/// Returns what the cluster knows of the vehicle.
-pub(super) fn vehicle(kind: Kind) -> Option<&'static Vehicle> {
-    VEHICLES.iter().copied().find(|vehicle| vehicle.name == kind.name())
-}
-
-/// Returns every text that can stand in the message line of this vehicle.
-pub(super) fn line_texts(kind: Kind) -> Vec<&'static str> {
-    let vehicle = vehicle(kind);
-    let own = vehicle.into_iter().flat_map(|vehicle| vehicle.faults.iter().map(|fault| fault.en));
-    let names = VEHICLES.iter().map(|vehicle| vehicle.en);
-    let mut all: Vec<&str> = texts::ALL.iter().map(|text| text.en).chain(own).chain(names).collect();
-    all.sort_unstable();
-    all.dedup();
-    all
 }
 
 fn signal(rest: &str, kind: Kind) -> Result<Signal, String> {

@@ -2,7 +2,7 @@
 
 use super::Cluster;
 use crate::driver::inputs::Controller;
-use crate::history::Entry;
+use crate::faults::Entry;
 use crate::navigator::{Contents, Leaf, parts_of};
 use crate::view::page::{Chapter, Count, Page, ROWS, VALUES};
 use crate::view::{ActiveFault, List, Listed, Sheet};

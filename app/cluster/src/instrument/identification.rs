@@ -18,7 +18,6 @@
 //! Source: BUS-11 (all bits of an identifier count); no two vehicles share a 29-bit identifier (contract test).
 
 use crate::own::Search;
-use crate::view::Text;
 use protocol_core::vehicle::Vehicle;
 use protocol_core::{CanFrame, CanId, Millis};
 
@@ -159,9 +158,7 @@ impl Detector {
         match (self.found, self.contradiction(now)) {
             (None, _) => Search::Listening,
             (Some(_), Some(_)) => Search::Contradicted,
-            (Some(Found { vehicle, at, .. }), None) => {
-                Search::Found { name: Text { zh: vehicle.zh, en: vehicle.en }, at }
-            }
+            (Some(Found { at, .. }), None) => Search::Found { at },
         }
     }
 

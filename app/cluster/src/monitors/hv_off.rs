@@ -20,7 +20,7 @@ const VEHICLE_MS: u64 = 5_000;
 /// The battery opens the circuit by itself after this long, in milliseconds.
 const BATTERY_MS: u64 = 35_000;
 
-/// How far a request has come.
+/// How far a request has come; in the order of the texts of `Words::Phases`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Phase {
     /// The vehicle is within its time.

@@ -1,13 +1,15 @@
 //! The table of telltales: one row each, from which all that concerns one is derived.
 //!
-//! Owns name, colour, words, place and conditions of every telltale. To add one: a row here, and its symbol under the
+//! Owns name, colour, words, place and conditions of every telltale; one that stands for a fault follows the values of
+//! the fault's row. To add one: a row here, and its symbol under the
 //! same key in `app/ui/fontgen`. Rows are added at the end: a row's number is its bit in records.
 //! Source: ISO 2575 clause 5 / UN R121: red = danger, yellow = caution, green = in operation, blue = high beam only;
 //! BUS-R022 to BUS-R025, BUS-R096, BUS-39, BUS-75, BUS-108 to BUS-111, BUS-R128; JL-R013; C5-R012; readings JL-23, JL-24,
 //! JL-56, C5-34; GB 7258 (air pressure).
 
+use crate::faults::{FaultId, When as Reports};
 use protocol_core::model::Value;
-use protocol_core::states::{Charge, Contactor, Run};
+use protocol_core::states::{Charge, Contactor};
 
 /// Colour in which a telltale lights, by ISO 2575.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,6 +96,30 @@ const fn low(value: Value, on_below: i32, off_above: i32) -> Condition {
     when(When::Low(value, on_below, off_above))
 }
 
+/// What the first value of a fault says.
+const fn fault(fault: FaultId) -> Condition {
+    value_of(fault, 0)
+}
+
+/// What value `place` of a fault says, counted from 0 through all its routes.
+const fn value_of(fault: FaultId, place: usize) -> Condition {
+    let routes = fault.row().routes;
+    let (mut route, mut before) = (0, 0);
+    while route < routes.len() {
+        let at = place - before;
+        let values = match routes[route].when {
+            Reports::Level(value) if at == 0 => return at_least(value, 1),
+            Reports::Is(value, number) if at == 0 => return is(value, number),
+            Reports::AnyOf(values) if at < values.len() => return is(values[at], 1),
+            Reports::Level(_) | Reports::Is(..) => 1,
+            Reports::AnyOf(values) => values.len(),
+            _ => panic!("a telltale follows values only"),
+        };
+        (route, before) = (route + 1, before + values);
+    }
+    panic!("the fault has no such value")
+}
+
 /// What lights a telltale and what silence does to it.
 pub(super) struct Row {
     pub(super) silence: Silence,
@@ -151,8 +177,8 @@ const AIR_LOW: i32 = 40;
 
 const OPEN: i32 = Contactor::Open.number();
 const CHARGING: i32 = Charge::Charging.number();
-const FAULT: i32 = Run::Fault.number();
 
+use FaultId as F;
 use Place::{Cell, With};
 use Value as V;
 
@@ -174,21 +200,19 @@ telltales! {
     Ready "ready" "READY" "READY", Green, Cell(0, 5), Darkens: is(V::VehicleReady, 1);
     /// System fault, leakage included.
     SystemFault "system_fault" "系统故障" "System fault", Red, Cell(1, 0), Keeps:
-        is(V::VehicleFault, 1), at_least(V::VehicleFaultLevel, 1).unless_sent(V::VehicleFault),
-        at_least(V::VehicleControllerLevel, 1);
+        fault(F::VehicleFault), fault(F::VehicleLevel).unless_sent(V::VehicleFault), fault(F::ControllerLevel);
     /// Traction battery fault.
     BatteryFault "battery_fault" "电池故障" "Battery fault", Red, Cell(1, 1), Keeps:
-        at_least(V::BatteryFaultLevel, 1), at_least(V::VehicleBatteryLevel, 1), is(V::BatteryFault, 1),
-        is(V::BatterySmoke, 1);
+        fault(F::Battery), value_of(F::Battery, 1), fault(F::BatteryFault), fault(F::BatterySmoke);
     /// Motor or inverter fault.
     MotorFault "motor_fault" "电机故障" "Motor fault", Red, Cell(1, 2), Keeps:
-        is(V::MotorFault, 1), at_least(V::MotorFaultLevel, 1);
+        fault(F::Inverter), fault(F::Motor);
     /// Insulation fault.
     Insulation "insulation" "绝缘故障" "Insulation", Red, Cell(1, 3), Keeps:
-        at_least(V::InsulationLevel, 1), is(V::InsulationFault, 1);
+        fault(F::Insulation), fault(F::InsulationFault);
     /// Drive power or torque is limited.
     PowerLimited "power_limited" "功率受限" "Power limited", Yellow, Cell(0, 10), Darkens:
-        is(V::VehiclePowerLimited, 1), is(V::VehicleTorqueLimited, 1);
+        fault(F::PowerLimit), fault(F::TorqueLimit);
     /// State of charge is low.
     LowCharge "low_charge" "电量低" "Low charge", Yellow, Cell(0, 9), Darkens:
         low(V::BatterySoc, SOC_LOW, SOC_LOW_CLEAR).unless_sent(V::BatteryLow), is(V::BatteryLow, 1);
@@ -200,12 +224,12 @@ telltales! {
     Charging "charging" "充电中" "Charging", Yellow, Cell(0, 7), Darkens: is(V::ChargeState, CHARGING);
     /// Low-voltage supply (DC/DC converter) fault.
     LowVoltage "low_voltage" "低压电源" "Low voltage", Red, Cell(1, 5), Keeps:
-        is(V::DcdcState, FAULT), is(V::DcdcFault, 1), is(V::SupplyLow, 1), is(V::VehicleSupplyLow, 1);
+        fault(F::Dcdc), value_of(F::Dcdc, 1), fault(F::Supply), value_of(F::Supply, 1);
     /// Steering assistance fault.
-    Steering "steering" "转向助力" "Steering", Red, Cell(1, 6), Keeps: is(V::SteeringState, FAULT);
+    Steering "steering" "转向助力" "Steering", Red, Cell(1, 6), Keeps: fault(F::Steering);
     /// Air compressor fault.
     Compressor "compressor" "空压机" "Compressor", Yellow, Cell(1, 8), Keeps:
-        is(V::CompressorState, FAULT), is(V::CompressorFault, 1);
+        fault(F::Compressor), value_of(F::Compressor, 1);
     /// Parking brake on.
     ParkingBrake "parking_brake" "驻车制动" "Parking brake", Red, Cell(1, 10), Darkens: is(V::BodyParkingBrake, 1);
     /// A door is open.
@@ -217,9 +241,9 @@ telltales! {
     /// A node has stopped sending.
     NoCommunication "no_communication" "通信中断" "No communication", Red, Cell(1, 11), Darkens: when(When::AnySilent);
     /// Anti-lock brake fault (C5-R012).
-    AntiLock "anti_lock" "ABS" "ABS", Yellow, With(Telltale::FrontFog), Keeps: is(V::BrakeAbsFault, 1);
+    AntiLock "anti_lock" "ABS" "ABS", Yellow, With(Telltale::FrontFog), Keeps: fault(F::BrakeAbs);
     /// Brake force distribution fault (C5-R012).
-    BrakeForce "brake_force" "EBD" "EBD", Yellow, With(Telltale::RearFog), Keeps: is(V::BrakeEbdFault, 1);
+    BrakeForce "brake_force" "EBD" "EBD", Yellow, With(Telltale::RearFog), Keeps: fault(F::BrakeEbd);
 }
 
 /// Which telltales are lit.
@@ -264,5 +288,29 @@ impl Telltales {
             }
         }
         shown
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a condition looks at, as one can compare it.
+    fn seen(condition: &Condition) -> (Value, i32, bool) {
+        match condition.when {
+            When::Is(value, number) => (value, number, false),
+            When::AtLeast(value, number) => (value, number, true),
+            When::Low(..) | When::AnySilent => panic!("no fault says this"),
+        }
+    }
+
+    #[test]
+    fn a_telltale_follows_the_values_of_a_fault_through_all_its_routes() {
+        assert_eq!(seen(&fault(F::VehicleFault)), (V::VehicleFault, 1, false));
+        assert_eq!(seen(&fault(F::Battery)), (V::BatteryFaultLevel, 1, true));
+        assert_eq!(seen(&value_of(F::Battery, 1)), (V::VehicleBatteryLevel, 1, true));
+        assert_eq!(seen(&fault(F::Dcdc)), (V::DcdcState, 2, false));
+        assert_eq!(seen(&value_of(F::Supply, 0)), (V::SupplyLow, 1, false));
+        assert_eq!(seen(&value_of(F::Supply, 1)), (V::VehicleSupplyLow, 1, false));
     }
 }

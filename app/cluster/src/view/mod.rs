@@ -4,22 +4,15 @@
 
 pub mod page;
 
-use crate::history::Source;
+use crate::faults::Named;
 use crate::telltales::Telltales;
 use page::{Chapter, Page, ROWS, VALUES};
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Severity, Shown};
+use protocol_core::vehicle::Vehicle;
 
+pub use crate::text::Text;
 pub use protocol_core::states::Plug;
-
-/// A text in the two languages of the product.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Text {
-    /// Simplified Chinese.
-    pub zh: &'static str,
-    /// English, as short as the panel needs it.
-    pub en: &'static str,
-}
 
 /// Language of the screens.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -44,6 +37,8 @@ pub enum Theme {
 /// The message line at the bottom: one fault or one plain fact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Line {
+    /// Which fault.
+    pub named: Named,
     /// Colour of the line; [`Severity::None`] = information.
     pub severity: Severity,
     /// What is said.
@@ -56,11 +51,19 @@ pub struct Line {
     pub count: u8,
 }
 
+impl Line {
+    /// Returns the only line.
+    pub fn of(named: Named, severity: Severity, vehicle: &Vehicle) -> Self {
+        let (text, code) = (named.text(vehicle), named.printed_code());
+        Self { named, severity, text, code, position: 1, count: 1 }
+    }
+}
+
 /// One fault that is active, whether the line shows it now or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ActiveFault {
-    /// Where it comes from.
-    pub source: Source,
+    /// Which fault.
+    pub named: Named,
     /// Fault code, shown as a number.
     pub code: Option<u16>,
     /// How bad it is now.

@@ -48,6 +48,11 @@ pub fn key_of(number: u8) -> Option<&'static str> {
     KEYS.get(usize::from(number)).copied().or_else(chapter)
 }
 
+/// Returns the public name of every page.
+pub fn keys() -> impl Iterator<Item = &'static str> {
+    KEYS.into_iter().chain(Chapter::ALL.iter().map(|chapter| chapter.key()))
+}
+
 impl Page {
     /// Returns the number that stands in records: 0 main, 1 and 2 trips, 3 energy, 4 faults, 5 history, 6 and more
     /// technical ([`Chapter::number`]).

@@ -2,7 +2,6 @@
 
 use cluster::instrument::identification::{DISTINCT, Detector, Found, KEPT, Sureness};
 use cluster::own::Search;
-use cluster::view::Text;
 use protocol_core::generated::{SHIPPED_VEHICLES, VEHICLES, c5ev, citybus, example, jiulong};
 use protocol_core::vehicle::{RxMessage, Vehicle};
 use protocol_core::{CanFrame, CanId, Millis};
@@ -174,8 +173,7 @@ fn the_search_says_what_it_has_found_and_what_contradicts_it() {
     let mut detector = Detector::new(SHIPPED_VEHICLES);
     assert_eq!(detector.state(Millis(0)), Search::Listening);
     hear(&mut detector, &citybus::VEHICLE, citybus::VEHICLE.ids, 100).expect("the bus");
-    let name = Text { zh: citybus::VEHICLE.zh, en: citybus::VEHICLE.en };
-    assert_eq!(detector.state(Millis(1_000)), Search::Found { name, at: Millis(120) });
+    assert_eq!(detector.state(Millis(1_000)), Search::Found { at: Millis(120) });
     hear(&mut detector, &jiulong::VEHICLE, &jiulong::VEHICLE.ids[..3], 2_000);
     assert_eq!(detector.state(Millis(2_020)), Search::Contradicted);
 }

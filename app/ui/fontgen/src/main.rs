@@ -11,7 +11,8 @@ mod icons;
 mod shapes;
 
 use anyhow::{Context, Result, bail};
-use cluster::Telltale;
+use cluster::faults::ROWS;
+use cluster::{FaultId, Telltale};
 use std::{
     collections::BTreeSet,
     fmt::Write,
@@ -79,7 +80,9 @@ fn main() -> Result<()> {
     let items = chapters.iter().flat_map(|chapter| chapter.items());
     let states = items.filter_map(|item| item.value.unit().kind()).flat_map(|kind| kind.states);
     texts.extend(states.flat_map(|state| state.zh.chars()).filter(|&c| is_chinese(c)));
-    texts.extend(cluster::texts::ALL.iter().flat_map(|text| text.zh.chars()).filter(|&c| is_chinese(c)));
+    let advice = FaultId::ALL.iter().filter_map(|fault| fault.advice());
+    let said = ROWS.iter().flat_map(|row| row.words.texts()).copied().chain(advice);
+    texts.extend(said.flat_map(|text| text.zh.chars()).filter(|&c| is_chinese(c)));
     collect(&root.join("app/ui"), "rs", &mut texts)?;
     collect(&root.join("vehicles"), "toml", &mut texts)?;
 

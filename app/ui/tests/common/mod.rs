@@ -3,7 +3,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its part")]
 
 use cluster::{
-    Page, Telltale, Telltales, View,
+    FaultId, Named, Page, Telltale, Telltales, View,
     page::Chapter,
     view::{Charging, Journey, Language, Line, List, Listed, Plug, Range, Sheet, Text, Theme},
 };
@@ -152,7 +152,8 @@ pub fn line(
     position: u8,
     count: u8,
 ) -> Line {
-    Line { severity, text: Text { zh, en }, code: Some(code), position, count }
+    let named = Named { code: Some(code), ..Named::of(FaultId::VehicleCode) };
+    Line { named, severity, text: Text { zh, en }, code: Some(code), position, count }
 }
 
 /// The same in English.

@@ -1,0 +1,4 @@
+//! What is received: values, time-outs, counters, arrays.
+
+mod frames;
+mod streams;

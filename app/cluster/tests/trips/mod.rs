@@ -1,0 +1,4 @@
+//! Distance, energy, range, charging.
+
+mod journeys;
+mod odometer;
