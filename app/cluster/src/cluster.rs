@@ -47,6 +47,8 @@ pub struct Cluster {
     player: Player,
     odometer: Odometer,
     trips: Trips,
+    /// Both as they were before any vehicle was recognised.
+    before: (Odometer, Trips),
     transmit: Transmit,
     settings: Settings,
     buttons: (Press, Press),
@@ -85,6 +87,7 @@ impl Cluster {
             player: Player::new(),
             odometer: Odometer::new(),
             trips: Trips::new(),
+            before: (Odometer::new(), Trips::new()),
             transmit: Transmit::new(),
             settings: Settings::new(),
             buttons: (Press::new(), Press::new()),
@@ -101,6 +104,7 @@ impl Cluster {
     /// For whatever keeps the odometer over power-off; this firmware keeps nothing yet.
     pub fn restore(&mut self, odometer_km8: u32) {
         self.odometer.restore(odometer_km8);
+        self.before.0.restore(odometer_km8);
     }
 
     /// Takes what the instrument knows of itself: shown from now on.
@@ -248,11 +252,17 @@ impl Cluster {
         self.vehicle
     }
 
-    /// Becomes the cluster of `vehicle`: what was received so far is forgotten, distance and settings stay.
+    /// Becomes the cluster of `vehicle`: what was received so far is forgotten, settings stay. What was driven stays if
+    /// no vehicle was known; what was driven under a wrong one is not this vehicle's.
     ///
     /// Nodes get their time to boot once more. Its tables must fit, as in [`Self::new`]; those of the generated vehicles
     /// do, a test proves it.
     pub fn recognise(&mut self, vehicle: &'static Vehicle) {
+        if self.vehicle.rx.is_empty() {
+            self.before = (self.odometer, self.trips.clone());
+        } else {
+            (self.odometer, self.trips) = self.before.clone();
+        }
         self.vehicle = vehicle;
         self.reception = Reception::new();
         self.timers = Timers::new(self.timers.options);

@@ -2,7 +2,8 @@
 //!
 //! Owns which of them is said, and its place beside the line of the faults. A cause goes before its consequences:
 //! without a controller, after a restart or among another vehicle's frames the cluster misses nodes because of itself,
-//! and says that instead of which nodes it misses. Whatever the vehicle reports goes by its severity. Refuses to know
+//! and says that instead of which nodes it misses. Whatever the vehicle reports goes by its severity; a doubt about the
+//! vehicle itself takes its turn beside even the worst report, which may be another vehicle's. Refuses to know
 //! where the facts come from.
 
 use crate::texts;
@@ -16,6 +17,10 @@ const CONTROLLER_MS: u64 = 100;
 const RESTARTED_MS: u64 = 10_000;
 /// Time after start from which the screen says that the cluster listens, in milliseconds.
 const PATIENCE_MS: u64 = 1_000;
+/// A doubt about the vehicle has the last second of each of these, in milliseconds, whatever the vehicle reports.
+const TURN_MS: u64 = 4_000;
+/// How long that turn is, in milliseconds.
+const DOUBT_MS: u64 = 1_000;
 /// Time for which the name of a vehicle is shown after its recognition, in milliseconds.
 const NAME_MS: u64 = 5_000;
 
@@ -94,7 +99,10 @@ impl Conditions {
     /// misses a node.
     pub(crate) fn beside(&self, faults: Option<Line>, is_silence: bool, now: Millis) -> Option<Line> {
         let Some(own) = self.own(now) else { return faults };
+        let is_doubt = self.search == Some(Search::Contradicted);
+        let has_turn = is_doubt && now.0 % TURN_MS >= TURN_MS - DOUBT_MS;
         match faults {
+            _ if has_turn => Some(own.line),
             Some(line) if line.severity > own.line.severity && !(own.is_cause && is_silence) => faults,
             _ => Some(own.line),
         }
@@ -133,6 +141,14 @@ mod tests {
                 assert_eq!(report, expected, "{conditions:?} and a report, {severity:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_doubt_has_one_second_of_four_beside_the_worst_report() {
+        let said = |now| CONTRADICTED.beside(Some(line(Stop)), false, Millis(now)).map(|line| line.text.en);
+        let (doubt, report) = (Some(texts::DOUBT.en), Some(texts::SYSTEM.en));
+        let times = [4_000, 6_999, 7_000, 7_999, 8_000];
+        assert_eq!(times.map(said), [report, report, doubt, doubt, report]);
     }
 
     #[test]
