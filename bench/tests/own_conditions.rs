@@ -78,7 +78,8 @@ fn a_wrong_recognition_is_right_three_seconds_after_the_first_frame_of_the_right
         rig.run_for(Nanos::from_secs(3)).unwrap();
         let screen = rig.screen().expect("the firmware reports");
         assert!(matches!(screen.speed_kmh, protocol_core::link::Sample::Value(_)), "{:?}", screen.speed_kmh);
-        let sent: Vec<_> = rig.heard()[right..].iter().filter(|heard| heard.by_cluster).collect();
+        let heard = rig.heard();
+        let sent: Vec<_> = heard[right..].iter().filter(|heard| heard.by_cluster).collect();
         let ids = protocol_core::generated::citybus::VEHICLE.tx.iter().map(|message| message.id.bits());
         let own: Vec<u32> = ids.collect();
         assert!(sent.len() >= 4, "{} frames in 3 s", sent.len());

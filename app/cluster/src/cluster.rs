@@ -17,7 +17,7 @@ use crate::monitors::limp;
 use crate::monitors::reverse::Reverse;
 use crate::monitors::{Options, Timers};
 use crate::navigator::{Pages, Situation};
-use crate::own::Conditions;
+use crate::own::{Conditions, Traffic};
 use crate::reception::{Counters, MAX_MESSAGES, Nodes, Received, Reception};
 use crate::sources;
 use crate::start::{self, Start};
@@ -34,6 +34,9 @@ use protocol_core::{CanFrame, Millis};
 
 /// Half a period of the heartbeat on the screen, in milliseconds.
 const HEARTBEAT_MS: u64 = 500;
+
+/// Silence of everything from which on the wires are the likelier cause, in milliseconds.
+const STOPPED_MS: u64 = 1_000;
 
 /// An instrument cluster for one vehicle.
 #[derive(Clone)]
@@ -80,7 +83,7 @@ impl Cluster {
         Self {
             vehicle,
             reception: Reception::new(),
-            timers: Timers::new(options),
+            timers: Timers::new(options, vehicle),
             faults: Faults::new(),
             lighting: Lighting::new(),
             reverse: Reverse::new(),
@@ -139,6 +142,7 @@ impl Cluster {
         self.feel(inputs, now);
         self.controller = inputs.controller;
         inputs::file(inputs, &mut self.reception.readings);
+        self.reception.judge(self.vehicle, now);
         self.silent = self.reception.silent_nodes(self.vehicle, listening, start::BOOT_MS, now);
         self.measure(now);
         self.decide(inputs, now);
@@ -187,7 +191,7 @@ impl Cluster {
     fn play(&mut self, now: Millis) {
         self.reverse.observe(self.shown(Value::VehicleGear, now), now);
         let reverse = self.reverse.is_steady(now).then_some(Sound::Reverse);
-        let buzzer = self.timers.buzzer.sounds(now).then_some(Sound::Buzzer);
+        let buzzer = self.timers.buzzer.sounds(self.vehicle.rules.buzzer_ms, now).then_some(Sound::Buzzer);
         self.player.play([self.faults.sound(), reverse, buzzer], now);
     }
 
@@ -207,7 +211,8 @@ impl Cluster {
 
     /// Silences what can be silenced; returns whether there was anything.
     fn silence(&mut self, now: Millis) -> bool {
-        let sounds = self.faults.sound().is_some() || self.timers.buzzer.sounds(now);
+        let sounds =
+            self.faults.sound().is_some() || self.timers.buzzer.sounds(self.vehicle.rules.buzzer_ms, now);
         if sounds {
             self.faults.acknowledge();
             self.timers.buzzer.silence();
@@ -265,7 +270,7 @@ impl Cluster {
         }
         self.vehicle = vehicle;
         self.reception = Reception::new();
-        self.timers = Timers::new(self.timers.options);
+        self.timers = Timers::new(self.timers.options, vehicle);
         self.faults = Faults::new();
         self.lighting = Lighting::new();
         self.reverse = Reverse::new();
@@ -312,7 +317,7 @@ impl Cluster {
         let power = self.power(now);
         let known = |value| self.reception.last_known(value);
         let faults = self.faults.line(self.vehicle, &self.timers, now);
-        let line = self.conditions.beside(faults, self.faults.misses_a_node(), now);
+        let line = self.conditions.beside(self.traffic(now), faults, self.faults.misses_a_node(), now);
         View {
             speed_kmh: shown(Value::VehicleSpeed)
                 .map(|speed| (speed.max(0) >> 8).min(u16::MAX.into()) as u16),
@@ -349,6 +354,15 @@ impl Cluster {
         }
     }
 
+    /// Returns what is known of the bus.
+    fn traffic(&self, now: Millis) -> Traffic {
+        let last = self.reception.last_heard();
+        Traffic {
+            has_stopped: last.is_some_and(|last| now.since(last) >= STOPPED_MS) && !self.silent.is_empty(),
+            is_doubled: self.reception.doubled(self.vehicle, now).is_some(),
+        }
+    }
+
     /// Returns what there is to tell while a plug is inserted.
     fn charging(&self, now: Millis) -> Option<Charging> {
         trips::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
@@ -356,7 +370,7 @@ impl Cluster {
 
     /// Returns the charge in 0.1 %.
     fn charge(&self, now: Millis) -> Shown<i32> {
-        let silent_ms = self.reception.last_sign(Node::Bms).map(|at| now.since(at));
+        let silent_ms = self.reception.last_sign(self.vehicle, Node::Bms).map(|at| now.since(at));
         charge::of(self.shown(Value::BatterySoc, now), self.shown(Value::VehicleSoc, now), silent_ms)
     }
 
@@ -364,6 +378,7 @@ impl Cluster {
     fn limp(&self) -> Option<Limp> {
         let capacity_ah = self.reception.last_known(Value::BatteryCapacity);
         let limps = self.faults.limps(self.vehicle);
-        limps.then(|| Limp { limit_deciamps: capacity_ah.and_then(limp::limit_deciamps) })
+        let limit = |(rule, capacity)| limp::limit_deciamps(rule, capacity);
+        limps.then(|| Limp { limit_deciamps: self.vehicle.rules.limp.zip(capacity_ah).and_then(limit) })
     }
 }

@@ -9,7 +9,7 @@
 use crate::texts;
 use crate::view::{Line, Text};
 use protocol_core::Millis;
-use protocol_core::model::Severity::{self, Warn};
+use protocol_core::model::Severity::{self, Derate, Warn};
 
 /// Time that the CAN controller has to come up before its absence is shown, in milliseconds.
 const CONTROLLER_MS: u64 = 100;
@@ -60,6 +60,15 @@ pub(crate) struct Conditions {
     pub(crate) search: Option<Search>,
 }
 
+/// What the cluster of the vehicle knows of its bus.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Traffic {
+    /// All that was heard of the vehicle has stopped.
+    pub(crate) has_stopped: bool,
+    /// One message comes from two senders.
+    pub(crate) is_doubled: bool,
+}
+
 /// A line of the instrument.
 struct Own {
     line: Line,
@@ -72,6 +81,12 @@ impl Own {
         Self { line: Line { severity: Warn, text, code, position: 1, count: 1 }, is_cause: true }
     }
 
+    /// As bad as the silence that it stands for.
+    const fn worse(mut self, severity: Severity) -> Self {
+        self.line.severity = severity;
+        self
+    }
+
     const fn fact(text: Text) -> Self {
         let line = Line { severity: Severity::None, text, code: None, position: 1, count: 1 };
         Self { line, is_cause: false }
@@ -79,7 +94,7 @@ impl Own {
 }
 
 impl Conditions {
-    fn own(&self, now: Millis) -> Option<Own> {
+    fn own(&self, traffic: Traffic, now: Millis) -> Option<Own> {
         if self.controller_missing && now.0 >= CONTROLLER_MS {
             return Some(Own::cause(texts::NO_CONTROLLER, None));
         }
@@ -89,6 +104,8 @@ impl Conditions {
             }
             (Some(Restart::Watchdog), _) if now.0 < RESTARTED_MS => Some(Own::cause(texts::RESTARTED, None)),
             (_, Some(Search::Contradicted)) => Some(Own::cause(texts::DOUBT, None)),
+            _ if traffic.has_stopped => Some(Own::cause(texts::NO_TRAFFIC, None).worse(Derate)),
+            _ if traffic.is_doubled => Some(Own::cause(texts::TWO_SENDERS, None)),
             (_, Some(Search::Found { name, at })) if now.since(at) < NAME_MS => Some(Own::fact(name)),
             (_, Some(Search::Listening)) if now.0 >= PATIENCE_MS => Some(Own::fact(texts::LISTENING)),
             _ => None,
@@ -97,9 +114,15 @@ impl Conditions {
 
     /// Returns the line that is shown beside that of the faults, `faults`; `is_silence` tells whether that one only
     /// misses a node.
-    pub(crate) fn beside(&self, faults: Option<Line>, is_silence: bool, now: Millis) -> Option<Line> {
-        let Some(own) = self.own(now) else { return faults };
-        let is_doubt = self.search == Some(Search::Contradicted);
+    pub(crate) fn beside(
+        &self,
+        traffic: Traffic,
+        faults: Option<Line>,
+        is_silence: bool,
+        now: Millis,
+    ) -> Option<Line> {
+        let Some(own) = self.own(traffic, now) else { return faults };
+        let is_doubt = self.search == Some(Search::Contradicted) || traffic.is_doubled;
         let has_turn = is_doubt && now.0 % TURN_MS >= TURN_MS - DOUBT_MS;
         match faults {
             _ if has_turn => Some(own.line),
@@ -112,14 +135,14 @@ impl Conditions {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Severity::{Derate, Stop};
+    use Severity::Stop;
 
     fn line(severity: Severity) -> Line {
         Line { severity, text: texts::SYSTEM, code: Some(7), position: 1, count: 2 }
     }
 
     fn said(conditions: Conditions, now: u64) -> Option<(&'static str, Option<u16>)> {
-        conditions.beside(None, false, Millis(now)).map(|line| (line.text.en, line.code))
+        conditions.beside(Traffic::default(), None, false, Millis(now)).map(|line| (line.text.en, line.code))
     }
 
     const NO_CONTROLLER: Conditions = Conditions { controller_missing: true, restart: None, search: None };
@@ -131,12 +154,12 @@ mod tests {
     #[test]
     fn a_cause_goes_before_the_silence_that_it_brings_and_never_before_what_the_vehicle_reports() {
         for conditions in [NO_CONTROLLER, CONTRADICTED, RESTARTED] {
-            let own = conditions.beside(None, false, Millis(200));
+            let own = conditions.beside(Traffic::default(), None, false, Millis(200));
             assert!(own.is_some(), "{conditions:?}");
             for severity in [Severity::None, Warn, Derate, Stop] {
-                let silence = conditions.beside(Some(line(severity)), true, Millis(200));
+                let silence = conditions.beside(Traffic::default(), Some(line(severity)), true, Millis(200));
                 assert_eq!(silence, own, "{conditions:?} behind a silent node, {severity:?}");
-                let report = conditions.beside(Some(line(severity)), false, Millis(200));
+                let report = conditions.beside(Traffic::default(), Some(line(severity)), false, Millis(200));
                 let expected = if severity > Warn { Some(line(severity)) } else { own };
                 assert_eq!(report, expected, "{conditions:?} and a report, {severity:?}");
             }
@@ -145,7 +168,11 @@ mod tests {
 
     #[test]
     fn a_doubt_has_one_second_of_four_beside_the_worst_report() {
-        let said = |now| CONTRADICTED.beside(Some(line(Stop)), false, Millis(now)).map(|line| line.text.en);
+        let said = |now| {
+            CONTRADICTED
+                .beside(Traffic::default(), Some(line(Stop)), false, Millis(now))
+                .map(|line| line.text.en)
+        };
         let (doubt, report) = (Some(texts::DOUBT.en), Some(texts::SYSTEM.en));
         let times = [4_000, 6_999, 7_000, 7_999, 8_000];
         assert_eq!(times.map(said), [report, report, doubt, doubt, report]);
@@ -155,9 +182,10 @@ mod tests {
     fn a_plain_fact_gives_way_to_every_fault() {
         for search in [Search::Listening, Search::Found { name: texts::SYSTEM, at: Millis(1_500) }] {
             let conditions = Conditions { search: Some(search), ..Conditions::default() };
-            assert!(conditions.beside(None, false, Millis(2_000)).is_some());
+            assert!(conditions.beside(Traffic::default(), None, false, Millis(2_000)).is_some());
             for is_silence in [false, true] {
-                let shown = conditions.beside(Some(line(Warn)), is_silence, Millis(2_000));
+                let shown =
+                    conditions.beside(Traffic::default(), Some(line(Warn)), is_silence, Millis(2_000));
                 assert_eq!(shown, Some(line(Warn)), "{search:?}");
             }
         }

@@ -13,7 +13,7 @@ use crate::monitors::hv_off::Phase;
 use crate::texts;
 use crate::view::Text;
 use protocol_core::model::{Severity, Shown, Value};
-use protocol_core::states::Run;
+use protocol_core::states::{Mode, Run};
 use protocol_core::vehicle::{FaultText, Node, Vehicle};
 
 /// What makes a source report.
@@ -200,6 +200,8 @@ pub(crate) const ROWS: &[Row] = &[
     // Without the vehicle controller there is no speed, no gear and no fault report; without the battery the vehicle
     // limps (BUS-R080).
     Row::new(S::Limp, When::Limps, Always(Derate), Words::Always(texts::LIMP)).sounds(),
+    // Reported by the vehicle: it does not say why.
+    Row::new(S::Limp, When::Is(V::VehicleMode, LIMP), Always(Derate), Words::Always(texts::LIMP_MODE)).sounds(),
     Row::flag(S::PowerLimit, V::VehiclePowerLimited, Joins(Severity::None), texts::POWER_LIMITED),
     Row::flag(S::TorqueLimit, V::VehicleTorqueLimited, Joins(Severity::None), texts::TORQUE_LIMITED),
     Row::silent(S::SilentVcu, Node::Vcu, Derate).sounds(),
@@ -221,6 +223,8 @@ pub(crate) fn remembered(entry: &Entry, vehicle: &Vehicle) -> (Text, Option<u16>
     (row.words.of(entry.severity, entry.code, vehicle, None), row.printed(entry.code))
 }
 
+/// Number of limp mode.
+const LIMP: i32 = Mode::Limp.number();
 /// Row of the vehicle controller's codes.
 const FORWARDED: u8 = 1;
 /// Row of what the battery says itself.
@@ -301,7 +305,8 @@ impl Row {
     /// Returns whether `fault` means that the vehicle limps: by its row, or by what the vehicle's documents say of it.
     pub(crate) fn limps(&self, fault: &Fault, vehicle: &Vehicle) -> bool {
         let text = fault.code.and_then(|code| self.words.fault_text(vehicle, code));
-        matches!(self.when, When::Limps) || text.is_some_and(|text| text.limps)
+        matches!(self.when, When::Limps | When::Is(V::VehicleMode, LIMP))
+            || text.is_some_and(|text| text.limps)
     }
 
     /// Returns what the line says of `fault`.

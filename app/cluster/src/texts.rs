@@ -66,6 +66,8 @@ texts! {
     COMPRESSOR_HOT "空压机过温" "Air compressor hot";
     /// The vehicle limps without word from the battery (BUS-R080).
     LIMP "电池通信中断 限功率 无回馈" "Limp: power limited, no regen";
+    /// The vehicle controller reports limp mode; nothing is known of its reason.
+    LIMP_MODE "整车限功率行车模式" "Limp mode";
     /// The insulation monitor gives alarm.
     INSULATION "绝缘故障" "Insulation fault";
     /// Fire, by either route (BUS-116).
@@ -120,6 +122,10 @@ texts! {
     LISTENING "总线监测中" "Listening for a vehicle";
     /// As much speaks for another vehicle as for the one recognised.
     DOUBT "总线与车不匹配" "Another vehicle on this bus";
+    /// Nothing at all is heard any more.
+    NO_TRAFFIC "总线通信中断 检测线路" "No traffic: check the CAN wires";
+    /// One message comes from two senders.
+    TWO_SENDERS "总线报文冲突" "One message, two senders";
 }
 
 /// Returns the text of a node that has stopped sending.

@@ -4,9 +4,20 @@
 
 use cluster::{Cluster, Inputs, Sound, Telltale, View};
 use protocol_core::model::{Readings, Value};
-use protocol_core::vehicle::{FaultText, NO_VEHICLE, Node, NodeName, RxMessage, Vehicle};
+use protocol_core::vehicle::{
+    FaultText, HvOffRule, LimpRule, NO_VEHICLE, Node, NodeName, Rules, RxMessage, Vehicle,
+};
 use protocol_core::{CanFrame, CanId, Millis, Severity};
 use std::collections::BTreeMap;
+
+/// What any document may print.
+const RULES: Rules = Rules {
+    hv_off: Some(HvOffRule { vehicle_ms: 5_000, battery_ms: 35_000 }),
+    limp: Some(LimpRule { silence_ms: 5_000, most_deciamps: 600, deciamps_per_ah: 3 }),
+    charger_loss_ms: Some(5_000),
+    hvac_loss_ms: Some(10_000),
+    buzzer_ms: Some(120_000),
+};
 
 pub(crate) const TIMEOUT: u64 = 500;
 pub(crate) const CYCLE: u64 = 100;
@@ -32,7 +43,18 @@ const fn id(node: Node) -> CanId {
 const fn rx(node: Node) -> RxMessage {
     let expected = matches!(node, Node::Vcu | Node::Bms);
     let timeout_ms = TIMEOUT as u32;
-    RxMessage { id: id(node), name: "Probe", node, len: 8, timeout_ms, life: None, checksum: None, expected }
+    RxMessage {
+        id: id(node),
+        name: "Probe",
+        node,
+        len: 8,
+        cycle_ms: 0,
+        timeout_ms,
+        life: None,
+        checksum: None,
+        expected,
+        vital: false,
+    }
 }
 
 const RX: [RxMessage; NODES.len()] = {
@@ -72,6 +94,7 @@ pub(crate) static PROBE: Vehicle = Vehicle {
         readings.put(index, value, number, data[1] == 0);
     },
     faults: FAULTS,
+    rules: RULES,
     nodes: &[NodeName { node: Node::Vcu, zh: "整车", en: "VCU" }],
     ..NO_VEHICLE
 };

@@ -41,7 +41,7 @@ const SOURCES: &[Source] = &[
     (V::ChargerFaultLevel, 2, "Charger fault", Derate, true),
     (V::ChargerFault, 1, "Charger fault", Warn, false),
     (V::HvacFault, 1, "Air conditioning fault", Warn, false),
-    (V::VehicleMode, 5, "Limp: power limited, no regen", Derate, true),
+    (V::VehicleMode, 5, "Limp mode", Derate, true),
     (V::VehiclePowerLimited, 1, "Power limited", Severity::None, false),
     (V::VehicleTorqueLimited, 1, "Torque limited", Severity::None, false),
 ];

@@ -5,7 +5,7 @@ use cluster::view::{Limp, List, Listed, Sheet};
 use cluster::{Button, Cluster, Controller, Inputs, Sound, Trip, View};
 use protocol_core::model::{Readings, Shown, Value as V};
 use protocol_core::states::Confinement;
-use protocol_core::vehicle::{FaultText, NO_VEHICLE, Node, RxMessage, Vehicle};
+use protocol_core::vehicle::{FaultText, LimpRule, NO_VEHICLE, Node, Rules, RxMessage, Vehicle};
 use protocol_core::{CanFrame, CanId, Millis, Severity};
 use std::collections::BTreeMap;
 
@@ -20,10 +20,12 @@ static ANY: Vehicle = Vehicle {
         name: "Any",
         node: Node::Inverter,
         len: 8,
+        cycle_ms: 0,
         timeout_ms: 500,
         life: None,
         checksum: None,
         expected: false,
+        vital: false,
     }],
     decode: |index, data, readings: &mut Readings| {
         let number = i32::from_le_bytes([data[4], data[5], data[6], data[7]]);
@@ -34,6 +36,10 @@ static ANY: Vehicle = Vehicle {
         FaultText { source: Node::Bms, code: 3, ..text("过压", "Overvoltage") },
         FaultText { source: Node::Bms, code: 4, limps: true, ..text("失联", "Link lost") },
     ],
+    rules: Rules {
+        limp: Some(LimpRule { silence_ms: 5_000, most_deciamps: 600, deciamps_per_ah: 3 }),
+        ..Rules::NONE
+    },
     ..NO_VEHICLE
 };
 

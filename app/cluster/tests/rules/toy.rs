@@ -4,9 +4,20 @@
 
 use cluster::{Cluster, Inputs, View};
 use protocol_core::model::{Reading, Readings, Value};
-use protocol_core::vehicle::{FaultText, Life, NO_VEHICLE, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use protocol_core::vehicle::{
+    FaultText, HvOffRule, Life, LimpRule, NO_VEHICLE, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle,
+};
 use protocol_core::{CanFrame, CanId, Millis, Severity};
 use std::collections::BTreeMap;
+
+/// What any document may print.
+const RULES: Rules = Rules {
+    hv_off: Some(HvOffRule { vehicle_ms: 5_000, battery_ms: 35_000 }),
+    limp: Some(LimpRule { silence_ms: 5_000, most_deciamps: 600, deciamps_per_ah: 3 }),
+    charger_loss_ms: Some(5_000),
+    hvac_loss_ms: Some(10_000),
+    buzzer_ms: Some(120_000),
+};
 
 pub(crate) const DRIVE: CanId = CanId::extended(0x100);
 pub(crate) const FAULTS: CanId = CanId::extended(0x101);
@@ -35,7 +46,18 @@ const fn rx(
     life: Option<Life>,
     expected: bool,
 ) -> RxMessage {
-    RxMessage { id, name, node, len: 8, timeout_ms, life, checksum: None, expected }
+    RxMessage {
+        id,
+        name,
+        node,
+        len: 8,
+        cycle_ms: 0,
+        timeout_ms,
+        life,
+        checksum: None,
+        expected,
+        vital: false,
+    }
 }
 
 const fn tx(id: CanId, name: &'static str, cycle_ms: u32, life: Life) -> TxMessage {
@@ -90,6 +112,7 @@ const fn toy(faults: &'static [FaultText]) -> Vehicle {
         tx: TX,
         encode,
         faults,
+        rules: RULES,
         nodes: NODES,
         ..NO_VEHICLE
     }
