@@ -59,6 +59,8 @@ pub struct Cluster {
     controller: Option<Controller>,
     conditions: Conditions,
     silent: Nodes,
+    /// The seat was left in a driving gear, and neither has ended since.
+    driver_left: bool,
     start: Start,
 }
 
@@ -69,7 +71,7 @@ impl Cluster {
     ///
     /// If the vehicle's tables are longer than [`MAX_MESSAGES`] or [`MAX_SENT`]; in a `static`, while compiling.
     pub const fn new(vehicle: &'static Vehicle) -> Self {
-        Self::with_options(vehicle, Options { hvac_alarm: false })
+        Self::with_options(vehicle, Options::NONE)
     }
 
     /// Returns a cluster that has seen nothing yet, with what whoever builds it may switch.
@@ -98,6 +100,7 @@ impl Cluster {
             controller: None,
             conditions: Conditions { controller_missing: false, restart: None, search: None },
             silent: Nodes::NONE,
+            driver_left: false,
             start: Start::new(),
         }
     }
@@ -145,7 +148,7 @@ impl Cluster {
         self.reception.judge(self.vehicle, now);
         self.silent = self.reception.silent_nodes(self.vehicle, listening, start::BOOT_MS, now);
         self.measure(now);
-        self.decide(inputs, now);
+        self.decide(now);
         self.timers.observe(self.vehicle, &self.reception, now);
 
         let Self { vehicle, reception, timers, faults, lighting, silent, .. } = self;
@@ -181,8 +184,15 @@ impl Cluster {
     }
 
     /// Files the cluster's own decisions as local values, for the messages that it sends.
-    fn decide(&mut self, inputs: &Inputs, now: Millis) {
-        let decisions = decisions::of(inputs, |value| self.shown(value, now), self.odometer.km8());
+    fn decide(&mut self, now: Millis) {
+        let seat = self.shown(Value::BodySeatEmpty, now);
+        self.driver_left = decisions::has_left(self.driver_left, seat, self.gear(now));
+        let known = decisions::Known {
+            driver_left: seat.value().map(|_| self.driver_left),
+            odometer_km8: self.odometer.known_km8(),
+            may_upgrade: self.timers.options.may_upgrade,
+        };
+        let decisions = decisions::of(known, |value| self.shown(value, now));
         for (value, reading) in decisions {
             self.reception.readings.set(Readings::LOCAL, value, reading);
         }
@@ -276,6 +286,7 @@ impl Cluster {
         self.reverse = Reverse::new();
         self.transmit = Transmit::new();
         self.silent = Nodes::NONE;
+        self.driver_left = false;
         self.start.of_another_vehicle();
     }
 
@@ -321,7 +332,7 @@ impl Cluster {
         View {
             speed_kmh: shown(Value::VehicleSpeed)
                 .map(|speed| (speed.max(0) >> 8).min(u16::MAX.into()) as u16),
-            gear: shown(Value::VehicleGear).value().and_then(Gear::from_number),
+            gear: self.gear(now),
             soc_percent: self.charge(now).map(|soc| (soc / 10).clamp(0, 100) as u8),
             pack_decivolts: voltage,
             pack_deciamps: current,
@@ -354,12 +365,16 @@ impl Cluster {
         }
     }
 
+    fn gear(&self, now: Millis) -> Option<Gear> {
+        self.shown(Value::VehicleGear, now).value().and_then(Gear::from_number)
+    }
+
     /// Returns what is known of the bus.
     fn traffic(&self, now: Millis) -> Traffic {
         let last = self.reception.last_heard();
         Traffic {
             has_stopped: last.is_some_and(|last| now.since(last) >= STOPPED_MS) && !self.silent.is_empty(),
-            is_doubled: self.reception.doubled(self.vehicle, now).is_some(),
+            is_doubled: self.reception.doubled(now).is_some(),
         }
     }
 

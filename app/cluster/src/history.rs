@@ -96,6 +96,8 @@ sources! {
     TorqueLimit 33;
     /// A gear was not engaged.
     ShiftFailed 34;
+    /// The driver's seat is empty in a driving gear.
+    DriverLeft 60;
     /// No communication with the vehicle controller.
     SilentVcu 64;
     /// No communication with the motor controller.

@@ -49,11 +49,14 @@ pub struct Counters {
 struct Sign {
     /// [`NEVER`] = none yet.
     at: Millis,
-    /// Last frame, a sign of life or not.
-    heard: Millis,
+    /// Last frame, a sign of life or not: the low bits of its time.
+    heard: u32,
     life: u8,
     senders: Senders,
 }
+
+/// Time for which two senders are said after the last evidence, in milliseconds.
+const DOUBLED_MS: u64 = 5_000;
 
 const NEVER: Millis = Millis(u64::MAX);
 
@@ -62,6 +65,10 @@ const NEVER: Millis = Millis(u64::MAX);
 pub(crate) struct Reception {
     pub(crate) readings: Readings,
     signs: [Sign; MAX_MESSAGES],
+    /// Last frame of any message.
+    heard: Option<Millis>,
+    /// A node one of whose messages has two senders, and when that was last seen.
+    doubled: Option<(Node, Millis)>,
     /// Nodes with a vital message whose life counter stands still, as of the last [`Self::judge`].
     discredited: Nodes,
     stored: u32,
@@ -75,7 +82,9 @@ impl Reception {
     pub(crate) const fn new() -> Self {
         Self {
             readings: Readings::new(),
-            signs: [Sign { at: NEVER, heard: NEVER, life: 0, senders: Senders::new() }; MAX_MESSAGES],
+            signs: [Sign { at: NEVER, heard: 0, life: 0, senders: Senders::new() }; MAX_MESSAGES],
+            heard: None,
+            doubled: None,
             discredited: Nodes::NONE,
             stored: 0,
             unknown: 0,
@@ -121,8 +130,11 @@ impl Reception {
             byte & life.mask
         });
         let Some(sign) = self.signs.get_mut(usize::from(index)) else { return };
-        sign.senders.hear(message, life, now);
-        sign.heard = now;
+        if sign.senders.hear(message, life, now) {
+            self.doubled = Some((message.node, now));
+        }
+        self.heard = Some(now);
+        sign.heard = stamp(now);
         if sign.at == NEVER || life.is_none_or(|life| life != sign.life) {
             (sign.at, sign.life) = (now, life.unwrap_or(0));
         }
@@ -133,7 +145,7 @@ impl Reception {
         self.discredited = Nodes::NONE;
         for (message, sign) in vehicle.rx.iter().zip(&self.signs) {
             let timeout_ms = u64::from(message.timeout_ms);
-            let is_heard = sign.at != NEVER && now.since(sign.heard) < timeout_ms;
+            let is_heard = sign.at != NEVER && u64::from(stamp(now).wrapping_sub(sign.heard)) < timeout_ms;
             if message.vital && is_heard && now.since(sign.at) >= timeout_ms {
                 self.discredited.add(message.node);
             }
@@ -141,14 +153,14 @@ impl Reception {
     }
 
     /// Returns a node one of whose messages has two senders.
-    pub(crate) fn doubled(&self, vehicle: &Vehicle, now: Millis) -> Option<Node> {
-        let mut rows = vehicle.rx.iter().zip(&self.signs);
-        rows.find(|(_, sign)| sign.senders.are_two(now)).map(|(message, _)| message.node)
+    pub(crate) fn doubled(&self, now: Millis) -> Option<Node> {
+        let (node, at) = self.doubled?;
+        (now.since(at) < DOUBLED_MS).then_some(node)
     }
 
     /// Returns when any message was heard last.
-    pub(crate) fn last_heard(&self) -> Option<Millis> {
-        self.signs.iter().map(|sign| sign.heard).filter(|heard| *heard != NEVER).max()
+    pub(crate) const fn last_heard(&self) -> Option<Millis> {
+        self.heard
     }
 
     /// Files what a stream says under the values that no other message brings.
@@ -252,6 +264,11 @@ impl Reception {
             damaged: self.damaged,
         }
     }
+}
+
+/// Returns the low bits of a time: enough to tell ages of up to 49 days.
+const fn stamp(now: Millis) -> u32 {
+    now.0 as u32
 }
 
 /// Returns whether a number of this value reports trouble: believed from whomever.

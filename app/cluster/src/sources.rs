@@ -180,6 +180,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row::flag(S::InsulationFault, V::InsulationFault, Always(Warn), texts::INSULATION).unless_sent(V::InsulationLevel),
     Row::flag(S::InsulationDevice, V::InsulationDeviceFault, Always(Warn), texts::INSULATION_DEVICE),
     Row::flag(S::Smoke, V::BodySmoke, Always(Stop), texts::SMOKE).sounds(),
+    Row::flag(S::DriverLeft, V::ClusterDriverLeft, Always(Warn), texts::DRIVER_LEFT).sounds(),
     Row::flag(S::MotorController, V::MotorFault, Joins(Warn), texts::MOTOR_CONTROLLER).code(V::MotorFaultCode),
     Row::component(S::Steering, V::SteeringState, V::SteeringFaultCode, texts::STEERING),
     Row::component(S::Dcdc, V::DcdcState, V::DcdcFaultCode, texts::DCDC),

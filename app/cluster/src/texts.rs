@@ -122,6 +122,8 @@ texts! {
     LISTENING "总线监测中" "Listening for a vehicle";
     /// As much speaks for another vehicle as for the one recognised.
     DOUBT "总线与车不匹配" "Another vehicle on this bus";
+    /// The seat is empty in a driving gear.
+    DRIVER_LEFT "驾驶员离座 请换空挡" "Seat empty in gear: select N";
     /// Nothing at all is heard any more.
     NO_TRAFFIC "总线通信中断 检测线路" "No traffic: check the CAN wires";
     /// One message comes from two senders.

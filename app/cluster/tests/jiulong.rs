@@ -1,6 +1,6 @@
 //! The cluster on jiulong's bus: bytes as the document prints them, written by hand.
 
-use cluster::{Cluster, Inputs, Sound, Telltale};
+use cluster::{Cluster, Inputs, Options, Sound, Telltale};
 use protocol_core::generated::jiulong::VEHICLE;
 use protocol_core::model::{Severity, Shown};
 use protocol_core::{CanFrame, CanId, Millis};
@@ -24,7 +24,7 @@ struct Ride {
 impl Ride {
     /// A cluster after its bulb check, on a bus on which nothing has been heard yet.
     fn new() -> Self {
-        let cluster = Cluster::new(&VEHICLE);
+        let cluster = Cluster::with_options(&VEHICLE, Options { may_upgrade: true, ..Options::NONE });
         let mut ride = Self { cluster, inputs: Inputs::default(), now: Millis(0), sent: Vec::new() };
         ride.run(3_000);
         ride

@@ -7055,7 +7055,7 @@ fn encode_meter1(values: &Readings) -> [u8; 8] {
     let frame = frame.with_rear_hatch_raw(codec::known(values, Value::BodyDoorHatch).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_handbrake_raw(codec::known(values, Value::BodyParkingBrake).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_smoke_alarm_raw(codec::known(values, Value::BodySmoke).map_or(0, |state| (state != 0) as u8));
-    let frame = frame.with_key_position_raw(match codec::known(values, Value::BodyKey) { Some(0) => 0, Some(1) => 2, Some(2) => 1, Some(3) => 3, _ => 0 });
+    let frame = frame.with_key_position_raw(match codec::known(values, Value::BodyKey) { Some(0) => 0, Some(1) => 2, Some(2) => 1, Some(3) => 3, _ => 1 });
     let frame = frame.with_front_air_pressure_raw(codec::known(values, Value::AirFront).map_or(255, |number| codec::scaled(number, 1, 0, 1, 0, 254) as u8));
     let frame = frame.with_rear_air_pressure_raw(codec::known(values, Value::AirRear).map_or(255, |number| codec::scaled(number, 1, 0, 1, 0, 254) as u8));
     let frame = frame.with_low_beam_raw(codec::known(values, Value::BodyLowBeam).map_or(0, |state| (state != 0) as u8));
@@ -7074,7 +7074,7 @@ fn encode_meter1(values: &Readings) -> [u8; 8] {
 
 fn encode_meter2(values: &Readings) -> [u8; 8] {
     let frame = Meter2::new();
-    let frame = frame.with_odometer_raw(codec::known(values, Value::ClusterOdometer).map_or(0, |number| codec::scaled(number, 1, 0, 1, 0, 4294967294) as u32));
+    let frame = frame.with_odometer_raw(codec::known(values, Value::ClusterOdometer).map_or(4294967295, |number| codec::scaled(number, 1, 0, 1, 0, 4294967294) as u32));
     frame.0
 }
 

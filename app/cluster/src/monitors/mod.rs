@@ -22,6 +22,13 @@ use protocol_core::vehicle::{Node, Vehicle};
 pub struct Options {
     /// Tells that a running air conditioning has lost its link (BUS-23: off by default).
     pub hvac_alarm: bool,
+    /// Consent to remote upgrades: without it the cluster forbids them always (JL-36).
+    pub may_upgrade: bool,
+}
+
+impl Options {
+    /// Nothing is switched on.
+    pub const NONE: Self = Self { hvac_alarm: false, may_upgrade: false };
 }
 
 /// One of each machine.

@@ -13,13 +13,11 @@ use protocol_core::vehicle::{Life, RxMessage};
 /// Frames in a row that go on from the frame before the last.
 const JUMPS: u8 = 6;
 /// Cycles in one count of frames.
-const CYCLES: u64 = 5;
+const CYCLES: u32 = 5;
 /// Frames in that time that are too many for one sender.
 const TOO_MANY: u8 = 8;
 /// Counts in a row with too many frames.
 const WINDOWS: u8 = 4;
-/// Time for which it is said after the last evidence, in milliseconds.
-const SAID_MS: u64 = 5_000;
 
 /// What speaks for two senders of one message.
 #[derive(Clone, Copy)]
@@ -27,30 +25,26 @@ pub(super) struct Senders {
     /// The last two states of the counter, the newer one first.
     last: (u8, u8),
     jumps: u8,
-    /// When the count of frames began.
-    since: Millis,
+    /// When the count of frames began: the low bits of the time.
+    since: u32,
     frames: u8,
     windows: u8,
-    /// When they were last found to be two.
-    found: Option<Millis>,
 }
 
 impl Senders {
     pub(super) const fn new() -> Self {
-        Self { last: (0, 0), jumps: 0, since: Millis(0), frames: 0, windows: 0, found: None }
+        Self { last: (0, 0), jumps: 0, since: 0, frames: 0, windows: 0 }
     }
 
-    /// Takes a frame with this state of its life counter.
-    pub(super) fn hear(&mut self, message: &RxMessage, count: Option<u8>, now: Millis) {
+    /// Takes a frame with this state of its life counter; returns whether its message has two senders.
+    pub(super) fn hear(&mut self, message: &RxMessage, count: Option<u8>, now: Millis) -> bool {
         if let Some((life, count)) = message.life.zip(count) {
             self.follow(life, count);
         }
         if message.cycle_ms > 0 {
-            self.count(u64::from(message.cycle_ms) * CYCLES, now);
+            self.count(message.cycle_ms.saturating_mul(CYCLES), super::stamp(now));
         }
-        if self.jumps >= JUMPS || self.windows >= WINDOWS {
-            self.found = Some(now);
-        }
+        self.jumps >= JUMPS || self.windows >= WINDOWS
     }
 
     fn follow(&mut self, Life { mask, .. }: Life, count: u8) {
@@ -61,18 +55,14 @@ impl Senders {
         self.last = (count, last);
     }
 
-    fn count(&mut self, span_ms: u64, now: Millis) {
-        if now.since(self.since) < span_ms {
+    fn count(&mut self, span_ms: u32, now: u32) {
+        let age_ms = now.wrapping_sub(self.since);
+        if age_ms < span_ms {
             self.frames = self.frames.saturating_add(1);
             return;
         }
-        let is_too_many = self.frames >= TOO_MANY && now.since(self.since) < 2 * span_ms;
+        let is_too_many = self.frames >= TOO_MANY && age_ms / 2 < span_ms;
         self.windows = if is_too_many { self.windows.saturating_add(1) } else { 0 };
         (self.since, self.frames) = (now, 1);
-    }
-
-    /// Returns whether they are two.
-    pub(super) fn are_two(self, now: Millis) -> bool {
-        self.found.is_some_and(|found| now.since(found) < SAID_MS)
     }
 }

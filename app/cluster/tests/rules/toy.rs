@@ -2,7 +2,7 @@
 //!
 //! Not generated on purpose: what the cluster does is tested without the compiler of vehicles.
 
-use cluster::{Cluster, Inputs, View};
+use cluster::{Cluster, Inputs, Options, View};
 use protocol_core::model::{Reading, Readings, Value};
 use protocol_core::vehicle::{
     FaultText, HvOffRule, Life, LimpRule, NO_VEHICLE, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle,
@@ -221,7 +221,7 @@ impl Drive {
     }
 
     pub(crate) fn at(now: Millis) -> Self {
-        let cluster = Cluster::new(&TOY);
+        let cluster = Cluster::with_options(&TOY, Options { may_upgrade: true, ..Options::NONE });
         Self { cluster, inputs: Inputs::default(), now, kept: BTreeMap::new(), life: 0 }
     }
 

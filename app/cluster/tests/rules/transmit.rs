@@ -79,7 +79,7 @@ fn a_stall_sends_each_message_once_and_keeps_its_phase() {
 fn what_is_sent_is_what_the_wires_say() {
     let mut drive = Drive::healthy();
     drive.inputs = Inputs {
-        key: Key::On,
+        key: Some(Key::On),
         contacts: Contacts::closed([Value::BodySeatEmpty, Value::BodyTurnLeft]),
         air_front_centimpa: None,
         supply_decivolts: Some(240),
