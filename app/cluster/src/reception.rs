@@ -13,7 +13,7 @@ use protocol_core::model::{Reading, Readings, Shown, Unit, Value};
 use protocol_core::stream::{Stream, Streams};
 use protocol_core::vehicle::{Node, RxMessage, Vehicle};
 use protocol_core::{CanFrame, Millis};
-use senders::Senders;
+use senders::{Senders, stamp};
 
 /// Most messages that a vehicle's receive table may have.
 pub const MAX_MESSAGES: usize = 64;
@@ -264,11 +264,6 @@ impl Reception {
             damaged: self.damaged,
         }
     }
-}
-
-/// Returns the low bits of a time: enough to tell ages of up to 49 days.
-const fn stamp(now: Millis) -> u32 {
-    now.0 as u32
 }
 
 /// Returns whether a number of this value reports trouble: believed from whomever.

@@ -19,6 +19,11 @@ const TOO_MANY: u8 = 8;
 /// Counts in a row with too many frames.
 const WINDOWS: u8 = 4;
 
+/// Returns the low bits of a time: enough to tell ages of up to 49 days.
+pub(super) const fn stamp(now: Millis) -> u32 {
+    now.0 as u32
+}
+
 /// What speaks for two senders of one message.
 #[derive(Clone, Copy)]
 pub(super) struct Senders {
@@ -42,7 +47,7 @@ impl Senders {
             self.follow(life, count);
         }
         if message.cycle_ms > 0 {
-            self.count(message.cycle_ms.saturating_mul(CYCLES), super::stamp(now));
+            self.count(message.cycle_ms.saturating_mul(CYCLES), stamp(now));
         }
         self.jumps >= JUMPS || self.windows >= WINDOWS
     }
