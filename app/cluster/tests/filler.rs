@@ -14,7 +14,9 @@ fn filled() -> impl Iterator<Item = &'static Vehicle> {
 /// A cluster of the vehicle past its bulb check.
 fn cluster(vehicle: &'static Vehicle) -> Cluster {
     let mut cluster = Cluster::new(vehicle);
-    [0, 4_000].map(|now| cluster.tick(&Inputs::default(), Millis(now)));
+    for now in [0, 4_000] {
+        cluster.tick(&Inputs::default(), Millis(now));
+    }
     cluster
 }
 

@@ -301,7 +301,7 @@ fn write_plain(out: &mut String, tables: &mut Tables, message: &Message, value: 
         match &term.how {
             How::Scaled { linear, nearest, magnitude } => {
                 let valid = validity(signal, "raw");
-                let is_whole = signal.length % 8 == 0 && !signal.signed;
+                let is_whole = signal.length.is_multiple_of(8) && !signal.signed;
                 let valid = match valid.is_empty() {
                     false => valid,
                     true if filled && is_whole => format!("raw != {}", signal.span().1),
