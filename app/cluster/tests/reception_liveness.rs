@@ -75,7 +75,7 @@ fn bus_r080_without_its_vital_messages_the_battery_is_lost_whatever_its_nameplat
     for lost in [BATTERY, &BATTERY[..1], &BATTERY[3..]] {
         let mut run = Run::of(&citybus::VEHICLE);
         run.drive(Trouble::default(), 10_000, |run| {
-            assert!(run.cluster.view(Millis(run.now)).limp.is_none())
+            assert!(run.cluster.view(Millis(run.now)).limp.is_none());
         });
         let trouble = Trouble { lost, ..Trouble::default() };
         let mut limps_from = None;
@@ -131,7 +131,7 @@ fn two_senders_of_one_message_are_said_by_the_counter_or_by_the_rate() {
                 }
                 let mut run = Run::of(vehicle);
                 run.drive(Trouble::default(), 2_000, |run| {
-                    assert_ne!(run.line(), Some(texts::TWO_SENDERS.en))
+                    assert_ne!(run.line(), Some(texts::TWO_SENDERS.en));
                 });
                 let mut said = false;
                 let span = 25 * u64::from(message.cycle_ms);
@@ -148,7 +148,7 @@ fn two_senders_of_one_message_are_said_by_the_counter_or_by_the_rate() {
                 // Until two counts of five cycles have ended, and 5 s.
                 run.drive(Trouble::default(), 10 * u64::from(message.cycle_ms) + 6_000, |_| {});
                 run.drive(Trouble::default(), 4_000, |run| {
-                    run_on |= run.line() == Some(texts::TWO_SENDERS.en)
+                    run_on |= run.line() == Some(texts::TWO_SENDERS.en);
                 });
                 assert!(!run_on, "{} {}: one again, offset {offset}", vehicle.name, message.name);
             }
