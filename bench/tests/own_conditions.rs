@@ -3,6 +3,7 @@
 mod firmware;
 
 use bench::can::{Frame, Id};
+use bench::chips::mcp2515::Mode;
 use bench::log::{Entry, Log};
 use bench::rig::{Rig, RigOptions};
 use bench::time::Nanos;
@@ -18,6 +19,11 @@ fn city() -> Log {
 
 fn says(rig: &Rig, fault: FaultId) -> bool {
     rig.screen().and_then(|screen: Screen| screen.line).is_some_and(|line| line.fault == fault.number())
+}
+
+/// Returns whether the screen says that this vehicle was identified.
+fn names(rig: &Rig, vehicle: &str) -> bool {
+    says(rig, FaultId::Identified) && rig.identified().name == vehicle
 }
 
 /// Runs for `seconds` and asserts every 100 ms that the line is `fault`.
@@ -42,22 +48,54 @@ fn a_controller_that_answers_no_more_is_named_and_not_the_nodes_that_it_no_longe
     assert!(!says(&rig, FaultId::NoController), "it is back");
 }
 
-#[test]
-fn a_wrong_recognition_says_so_for_as_long_as_the_bus_contradicts_it() {
-    let mut log = city();
-    // Once each: what a tester of another vehicle, or a log played into the wrong bus, may send.
-    let strays = [0x1802_28D0, 0x1803_28D0, 0x1804_28D0].into_iter().zip(0..).map(|(id, index)| {
+/// What a tester of another vehicle sends: three of its messages, `rounds` times, 10 ms apart, from the start on.
+fn tester(rounds: u64) -> Vec<Entry> {
+    let turns = (0..rounds).flat_map(|_| [0x1802_28D0, 0x1803_28D0, 0x1804_28D0]);
+    let stray = |(id, turn): (u32, u64)| {
         let frame = Frame::new(Id::extended(id).expect("29 bits"), &[0; 8]).expect("8 bytes");
-        Entry { at: Nanos::from_millis(10 * index), frame, line: 0 }
-    });
-    let later = |entry: &mut Entry| entry.at += Nanos::from_millis(500);
-    log.entries.iter_mut().for_each(later);
-    log.entries.splice(0..0, strays);
-    let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
-    rig.run_for(Nanos::from_millis(300)).unwrap();
-    rig.replay(&log, false);
-    rig.run_for(Nanos::from_secs(3)).unwrap();
-    keeps_saying(&mut rig, FaultId::Doubt, 12);
+        Entry { at: Nanos::from_millis(10 * turn), frame, line: 0 }
+    };
+    turns.zip(0..).map(stray).collect()
+}
+
+#[test]
+fn a_wrong_recognition_is_right_three_seconds_after_the_first_frame_of_the_right_vehicle() {
+    for rounds in [1, 3] {
+        let mut log = city();
+        log.entries.iter_mut().for_each(|entry| entry.at += Nanos::from_millis(500));
+        log.entries.splice(0..0, tester(rounds));
+        let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();
+        rig.run_for(Nanos::from_millis(300)).unwrap();
+        rig.replay(&log, false);
+        rig.run_for(Nanos::from_millis(450)).unwrap();
+        assert_eq!(names(&rig, "jiulong"), rounds > 1, "three frames, each once, say nothing");
+        rig.run_for(Nanos::from_millis(150)).unwrap();
+        let doubtful = rig.heard().len();
+        rig.run_for(Nanos::from_millis(1_400)).unwrap();
+        if rounds > 1 {
+            assert!(says(&rig, FaultId::Doubt), "for as long as it lasts");
+            let heard = rig.heard();
+            let sent: Vec<_> = heard[doubtful..].iter().filter(|heard| heard.by_cluster).collect();
+            assert!(
+                sent.is_empty(),
+                "nothing is sent on a doubtful bus: {sent:?}, from {:?}",
+                heard[doubtful].at
+            );
+            assert_eq!(rig.board().mcp2515().mode(), Mode::ListenOnly);
+        }
+        rig.run_for(Nanos::from_millis(1_500)).unwrap();
+        assert!(names(&rig, "citybus"), "the right one, by its name");
+        let right = rig.heard().len();
+        rig.run_for(Nanos::from_secs(3)).unwrap();
+        let screen = rig.screen().expect("the firmware reports");
+        assert!(matches!(screen.speed_kmh, protocol_core::link::Sample::Value(_)), "{:?}", screen.speed_kmh);
+        let heard = rig.heard();
+        let sent: Vec<_> = heard[right..].iter().filter(|heard| heard.by_cluster).collect();
+        let ids = protocol_core::generated::citybus::VEHICLE.tx.iter().map(|message| message.id.bits());
+        let own: Vec<u32> = ids.collect();
+        assert!(sent.len() >= 4, "{} frames in 3 s", sent.len());
+        assert!(sent.iter().all(|heard| own.contains(&heard.frame.id.raw())), "its own frames only");
+    }
 }
 
 /// Writes the image anew with the function whose mangled name ends in `name` replaced by an endless loop.
@@ -86,11 +124,13 @@ fn a_reset_by_the_watchdog_is_said_on_the_screen_for_ten_seconds() {
     let mut rig = Rig::new(&elf, &RigOptions::default()).unwrap();
     rig.run_for(Nanos::from_secs(1)).unwrap();
     assert!(!says(&rig, FaultId::Restarted), "power came up");
-    // Three identifiers of the bus, one of them with a level 3 fault: recognised, and the firmware stands still.
+    // Three identifiers of the bus, one of them with a level 3 fault, and a counter that counts: recognised, and the
+    // firmware stands still.
     for (id, data) in [
         (0x0CF1_01A7, [0x07, 0, 0, 0, 0, 0xFF, 0x80, 1]),
         (0x18F1_3DF3, [0x7C, 0x15, 0x10, 0x27, 0xC8, 0, 0x50, 0x40]),
         (0x0CF1_064A, [3, 0, 0, 0xFF, 0, 0xFF, 0xFF, 0xFF]),
+        (0x0CF1_01A7, [0x07, 0, 0, 0, 0, 0xFF, 0x80, 2]),
     ] {
         rig.send(Frame::new(Id::extended(id).expect("29 bits"), &data).expect("8 bytes"));
     }

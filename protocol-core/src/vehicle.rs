@@ -75,6 +75,8 @@ pub struct RxMessage {
     pub node: Node,
     /// Bytes that a frame must have; a shorter one is counted and dropped.
     pub len: u8,
+    /// Shortest time from one frame to the next, in milliseconds; 0 = the DBC does not say.
+    pub cycle_ms: u32,
     /// Silence after which its values are stale, in milliseconds.
     pub timeout_ms: u32,
     /// Life counter; one that stops counts as silence.
@@ -83,6 +85,9 @@ pub struct RxMessage {
     pub checksum: Option<Checksum>,
     /// Whether its absence is worth telling the driver ("no communication").
     pub expected: bool,
+    /// By its document it speaks for its whole node: without it the node is lost, and a life counter that stands still
+    /// in it discredits every message of the node.
+    pub vital: bool,
 }
 
 /// One message that the cluster sends.
@@ -130,6 +135,47 @@ pub struct NodeName {
     pub en: &'static str,
 }
 
+/// Times of a battery's request to open the high-voltage circuit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HvOffRule {
+    /// The vehicle has this long to open it, in milliseconds.
+    pub vehicle_ms: u32,
+    /// The battery opens it by itself after this long, in milliseconds.
+    pub battery_ms: u32,
+}
+
+/// What follows when vehicle controller and battery have lost each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LimpRule {
+    /// Silence of the battery after which the vehicle limps, in milliseconds.
+    pub silence_ms: u32,
+    /// Largest current then, in 0.1 A.
+    pub most_deciamps: i32,
+    /// Largest current for each Ah of rated capacity, in 0.1 A; the smaller one holds.
+    pub deciamps_per_ah: i32,
+}
+
+/// Behaviour that one vehicle's documents print and others' do not; `None` = not done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rules {
+    /// Times of the request to open the high-voltage circuit; without them nothing is said of who is late.
+    pub hv_off: Option<HvOffRule>,
+    /// Limp mode that is concluded from a silent battery.
+    pub limp: Option<LimpRule>,
+    /// Silence of a plugged charger that is told, in milliseconds.
+    pub charger_loss_ms: Option<u32>,
+    /// Silence of a running air conditioning that may be told, in milliseconds.
+    pub hvac_loss_ms: Option<u32>,
+    /// Longest sound of the buzzer without a break, in milliseconds.
+    pub buzzer_ms: Option<u32>,
+}
+
+impl Rules {
+    /// No document prints anything.
+    pub const NONE: Self =
+        Self { hv_off: None, limp: None, charger_loss_ms: None, hvac_loss_ms: None, buzzer_ms: None };
+}
+
 /// One vehicle: what the cluster receives and how to read it, what it sends and how to write it.
 #[derive(Clone, Copy)]
 pub struct Vehicle {
@@ -156,6 +202,8 @@ pub struct Vehicle {
     pub encode: fn(index: u8, values: &Readings) -> [u8; 8],
     /// Number by which the vehicle's documents call the worst fault level: 3, or 1 where they count down.
     pub worst_level: u8,
+    /// Behaviour that its documents print.
+    pub rules: Rules,
     /// Texts of fault codes, sorted by source and code.
     pub faults: &'static [FaultText],
     /// Names of the nodes that the cluster receives from.
@@ -175,6 +223,7 @@ pub static NO_VEHICLE: Vehicle = Vehicle {
     tx: &[],
     encode: |_, _| [0; 8],
     worst_level: 3,
+    rules: Rules::NONE,
     faults: &[],
     nodes: &[],
 };

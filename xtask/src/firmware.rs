@@ -36,6 +36,9 @@ pub struct Options {
     /// Builds a cluster that says when a running air conditioning has lost its link (BUS-R133).
     #[arg(long)]
     pub hvac_alarm: bool,
+    /// Consent to remote upgrades at a known standstill; without it they are forbidden.
+    #[arg(long)]
+    pub remote_upgrade: bool,
 }
 
 impl Options {
@@ -54,6 +57,9 @@ impl Options {
         }
         if self.hvac_alarm {
             name.push_str("-hvac-alarm");
+        }
+        if self.remote_upgrade {
+            name.push_str("-remote-upgrade");
         }
         name
     }
@@ -116,6 +122,9 @@ pub fn build(options: &Options) -> Result<Image> {
     }
     if options.hvac_alarm {
         command.args(["--features", "hvac-alarm"]);
+    }
+    if options.remote_upgrade {
+        command.args(["--features", "remote-upgrade"]);
     }
     command.env_remove("CLUSTER_VEHICLE");
     if let Some(name) = &options.vehicle {

@@ -17,7 +17,7 @@ use crate::monitors::limp;
 use crate::monitors::reverse::Reverse;
 use crate::monitors::{Options, Timers};
 use crate::navigator::{Pages, Situation};
-use crate::own::Conditions;
+use crate::own::{Conditions, Traffic};
 use crate::reception::{Counters, MAX_MESSAGES, Nodes, Received, Reception};
 use crate::start::{self, Start};
 use crate::telltales::{Lighting, Telltale, Telltales};
@@ -34,6 +34,9 @@ use protocol_core::{CanFrame, Millis};
 /// Half a period of the heartbeat on the screen, in milliseconds.
 const HEARTBEAT_MS: u64 = 500;
 
+/// Silence of everything from which on the wires are the likelier cause, in milliseconds.
+const STOPPED_MS: u64 = 1_000;
+
 /// An instrument cluster for one vehicle.
 #[derive(Clone)]
 pub struct Cluster {
@@ -46,6 +49,8 @@ pub struct Cluster {
     player: Player,
     odometer: Odometer,
     trips: Trips,
+    /// Both as they were before any vehicle was recognised.
+    before: (Odometer, Trips),
     transmit: Transmit,
     settings: Settings,
     buttons: (Press, Press),
@@ -53,6 +58,8 @@ pub struct Cluster {
     controller: Option<Controller>,
     conditions: Conditions,
     silent: Nodes,
+    /// The seat was left in a driving gear, and neither has ended since.
+    driver_left: bool,
     start: Start,
 }
 
@@ -63,7 +70,7 @@ impl Cluster {
     ///
     /// If the vehicle's tables are longer than [`MAX_MESSAGES`] or [`MAX_SENT`]; in a `static`, while compiling.
     pub const fn new(vehicle: &'static Vehicle) -> Self {
-        Self::with_options(vehicle, Options { hvac_alarm: false })
+        Self::with_options(vehicle, Options::NONE)
     }
 
     /// Returns a cluster that has seen nothing yet, with what whoever builds it may switch.
@@ -77,13 +84,14 @@ impl Cluster {
         Self {
             vehicle,
             reception: Reception::new(),
-            timers: Timers::new(options),
+            timers: Timers::new(options, vehicle),
             faults: Faults::new(),
             lighting: Lighting::new(),
             reverse: Reverse::new(),
             player: Player::new(),
             odometer: Odometer::new(),
             trips: Trips::new(),
+            before: (Odometer::new(), Trips::new()),
             transmit: Transmit::new(),
             settings: Settings::new(),
             buttons: (Press::new(), Press::new()),
@@ -91,6 +99,7 @@ impl Cluster {
             controller: None,
             conditions: Conditions { controller_missing: false, restart: None, search: None },
             silent: Nodes::NONE,
+            driver_left: false,
             start: Start::new(),
         }
     }
@@ -100,6 +109,7 @@ impl Cluster {
     /// For whatever keeps the odometer over power-off; this firmware keeps nothing yet.
     pub fn restore(&mut self, odometer_km8: u32) {
         self.odometer.restore(odometer_km8);
+        self.before.0.restore(odometer_km8);
     }
 
     /// Takes what the instrument knows of itself: shown from now on.
@@ -134,9 +144,10 @@ impl Cluster {
         self.feel(inputs, now);
         self.controller = inputs.controller;
         inputs::file(inputs, &mut self.reception.readings);
+        self.reception.judge(self.vehicle, now);
         self.silent = self.reception.silent_nodes(self.vehicle, listening, start::BOOT_MS, now);
         self.measure(now);
-        self.decide(inputs, now);
+        self.decide(now);
         self.timers.observe(self.vehicle, &self.reception, now);
 
         let Self { vehicle, reception, timers, faults, lighting, silent, .. } = self;
@@ -172,8 +183,15 @@ impl Cluster {
     }
 
     /// Files the cluster's own decisions as local values, for the messages that it sends.
-    fn decide(&mut self, inputs: &Inputs, now: Millis) {
-        let decisions = decisions::of(inputs, |value| self.shown(value, now), self.odometer.km8());
+    fn decide(&mut self, now: Millis) {
+        let seat = self.shown(Value::BodySeatEmpty, now);
+        self.driver_left = decisions::has_left(self.driver_left, seat, self.gear(now));
+        let known = decisions::Known {
+            driver_left: seat.value().map(|_| self.driver_left),
+            odometer_km8: self.odometer.known_km8(),
+            may_upgrade: self.timers.options.may_upgrade,
+        };
+        let decisions = decisions::of(known, |value| self.shown(value, now));
         for (value, reading) in decisions {
             self.reception.readings.set(Readings::LOCAL, value, reading);
         }
@@ -182,7 +200,7 @@ impl Cluster {
     fn play(&mut self, now: Millis) {
         self.reverse.observe(self.shown(Value::VehicleGear, now), now);
         let reverse = self.reverse.is_steady(now).then_some(Sound::Reverse);
-        let buzzer = self.timers.buzzer.sounds(now).then_some(Sound::Buzzer);
+        let buzzer = self.timers.buzzer.sounds(self.vehicle.rules.buzzer_ms, now).then_some(Sound::Buzzer);
         self.player.play([self.faults.sound(), reverse, buzzer], now);
     }
 
@@ -202,7 +220,8 @@ impl Cluster {
 
     /// Silences what can be silenced; returns whether there was anything.
     fn silence(&mut self, now: Millis) -> bool {
-        let sounds = self.faults.sound().is_some() || self.timers.buzzer.sounds(now);
+        let sounds =
+            self.faults.sound().is_some() || self.timers.buzzer.sounds(self.vehicle.rules.buzzer_ms, now);
         if sounds {
             self.faults.acknowledge();
             self.timers.buzzer.silence();
@@ -247,19 +266,26 @@ impl Cluster {
         self.vehicle
     }
 
-    /// Becomes the cluster of `vehicle`: what was received so far is forgotten, distance and settings stay.
+    /// Becomes the cluster of `vehicle`: what was received so far is forgotten, settings stay. What was driven stays if
+    /// no vehicle was known; what was driven under a wrong one is not this vehicle's.
     ///
     /// Nodes get their time to boot once more. Its tables must fit, as in [`Self::new`]; those of the generated vehicles
     /// do, a test proves it.
     pub fn recognise(&mut self, vehicle: &'static Vehicle) {
+        if self.vehicle.rx.is_empty() {
+            self.before = (self.odometer, self.trips.clone());
+        } else {
+            (self.odometer, self.trips) = self.before.clone();
+        }
         self.vehicle = vehicle;
         self.reception = Reception::new();
-        self.timers = Timers::new(self.timers.options);
+        self.timers = Timers::new(self.timers.options, vehicle);
         self.faults = Faults::new();
         self.lighting = Lighting::new();
         self.reverse = Reverse::new();
         self.transmit = Transmit::new();
         self.silent = Nodes::NONE;
+        self.driver_left = false;
         self.start.of_another_vehicle();
     }
 
@@ -307,11 +333,12 @@ impl Cluster {
         let power = self.power(now);
         let known = |value| self.reception.last_known(value);
         let faults = self.faults.line(self.vehicle, &self.timers, now);
-        let line = self.conditions.beside(faults, self.faults.misses_a_node(), self.vehicle, now);
+        let traffic = self.traffic(now);
+        let line = self.conditions.beside(traffic, faults, self.faults.misses_a_node(), self.vehicle, now);
         View {
             speed_kmh: shown(Value::VehicleSpeed)
                 .map(|speed| (speed.max(0) >> 8).min(u16::MAX.into()) as u16),
-            gear: shown(Value::VehicleGear).value().and_then(Gear::from_number),
+            gear: self.gear(now),
             soc_percent: self.charge(now).map(|soc| (soc / 10).clamp(0, 100) as u8),
             pack_decivolts: voltage,
             pack_deciamps: current,
@@ -344,6 +371,19 @@ impl Cluster {
         }
     }
 
+    fn gear(&self, now: Millis) -> Option<Gear> {
+        self.shown(Value::VehicleGear, now).value().and_then(Gear::from_number)
+    }
+
+    /// Returns what is known of the bus.
+    fn traffic(&self, now: Millis) -> Traffic {
+        let last = self.reception.last_heard();
+        Traffic {
+            has_stopped: last.is_some_and(|last| now.since(last) >= STOPPED_MS) && !self.silent.is_empty(),
+            is_doubled: self.reception.doubled(now).is_some(),
+        }
+    }
+
     /// Returns what there is to tell while a plug is inserted.
     fn charging(&self, now: Millis) -> Option<Charging> {
         trips::charging(|value| self.shown(value, now), self.reception.last_known(Value::BatteryCapacity))
@@ -351,7 +391,7 @@ impl Cluster {
 
     /// Returns the charge in 0.1 %.
     fn charge(&self, now: Millis) -> Shown<i32> {
-        let silent_ms = self.reception.last_sign(Node::Bms).map(|at| now.since(at));
+        let silent_ms = self.reception.last_sign(self.vehicle, Node::Bms).map(|at| now.since(at));
         charge::of(self.shown(Value::BatterySoc, now), self.shown(Value::VehicleSoc, now), silent_ms)
     }
 
@@ -359,6 +399,7 @@ impl Cluster {
     fn limp(&self) -> Option<Limp> {
         let capacity_ah = self.reception.last_known(Value::BatteryCapacity);
         let limps = self.faults.limps(self.vehicle);
-        limps.then(|| Limp { limit_deciamps: capacity_ah.and_then(limp::limit_deciamps) })
+        let limit = |(rule, capacity)| limp::limit_deciamps(rule, capacity);
+        limps.then(|| Limp { limit_deciamps: self.vehicle.rules.limp.zip(capacity_ah).and_then(limit) })
     }
 }

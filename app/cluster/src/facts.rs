@@ -39,21 +39,22 @@ impl Facts<'_> {
 
     /// Returns how long ago `node` gave its last sign of life, in milliseconds; never = since the start.
     fn silence_ms(&self, node: Node) -> u64 {
-        self.now.since(self.reception.last_sign(node).unwrap_or(self.started))
+        self.now.since(self.reception.last_sign(self.vehicle, node).unwrap_or(self.started))
     }
 
     /// Returns what is known of the link between battery and vehicle controller.
     pub(crate) fn link(&self) -> Link {
         Link {
+            rule: self.vehicle.rules.limp,
             battery_silent_ms: self.silent.has(Node::Bms).then(|| self.silence_ms(Node::Bms)),
             vehicle_silent: self.silent.has(Node::Vcu),
-            mode: self.shown(Value::VehicleMode).value(),
         }
     }
 
     /// Returns whether the loss of a running air conditioning is to be told.
     pub(crate) fn has_lost_hvac(&self) -> bool {
         let was_running = self.last_known(Value::HvacOn) == Some(1);
-        hvac::is_lost(self.timers.options.hvac_alarm, was_running, self.silence_ms(Node::Hvac))
+        let rule = self.vehicle.rules.hvac_loss_ms.filter(|_| self.timers.options.hvac_alarm);
+        hvac::is_lost(rule, was_running, self.silence_ms(Node::Hvac))
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Owns which of them is said, and its place beside the line of the faults. A cause goes before its consequences:
 //! without a controller, after a restart or among another vehicle's frames the cluster misses nodes because of itself,
-//! and says that instead of which nodes it misses. Whatever the vehicle reports goes by its severity. Refuses to know
+//! and says that instead of which nodes it misses. Whatever the vehicle reports goes by its severity; a doubt about the
+//! vehicle itself takes its turn beside even the worst report, which may be another vehicle's. Refuses to know
 //! where the facts come from.
 
 use crate::faults::{FaultId, Grade, Named};
@@ -17,6 +18,10 @@ const CONTROLLER_MS: u64 = 100;
 const RESTARTED_MS: u64 = 10_000;
 /// Time after start from which the screen says that the cluster listens, in milliseconds.
 const PATIENCE_MS: u64 = 1_000;
+/// A doubt about the vehicle has the last second of each of these, in milliseconds, whatever the vehicle reports.
+const TURN_MS: u64 = 4_000;
+/// How long that turn is, in milliseconds.
+const DOUBT_MS: u64 = 1_000;
 /// Time for which the name of a vehicle is shown after its recognition, in milliseconds.
 const NAME_MS: u64 = 5_000;
 
@@ -54,9 +59,18 @@ pub(crate) struct Conditions {
     pub(crate) search: Option<Search>,
 }
 
+/// What the cluster of the vehicle knows of its bus.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Traffic {
+    /// All that was heard of the vehicle has stopped.
+    pub(crate) has_stopped: bool,
+    /// One message comes from two senders.
+    pub(crate) is_doubled: bool,
+}
+
 impl Conditions {
     /// Returns what is said: the cause nearest to the wires first.
-    fn own(&self, now: Millis) -> Option<Named> {
+    fn own(&self, traffic: Traffic, now: Millis) -> Option<Named> {
         if self.controller_missing && now.0 >= CONTROLLER_MS {
             return Some(Named::of(FaultId::NoController));
         }
@@ -66,6 +80,8 @@ impl Conditions {
                 Some(Named { code, ..Named::of(FaultId::Restarted) })
             }
             (_, Some(Search::Contradicted)) => Some(Named::of(FaultId::Doubt)),
+            _ if traffic.has_stopped => Some(Named::of(FaultId::NoTraffic)),
+            _ if traffic.is_doubled => Some(Named::of(FaultId::TwoSenders)),
             (_, Some(Search::Found { at })) if now.since(at) < NAME_MS => {
                 Some(Named::of(FaultId::Identified))
             }
@@ -78,17 +94,20 @@ impl Conditions {
     /// misses a node.
     pub(crate) fn beside(
         &self,
+        traffic: Traffic,
         faults: Option<Line>,
         is_silence: bool,
         vehicle: &Vehicle,
         now: Millis,
     ) -> Option<Line> {
-        let Some(named) = self.own(now) else { return faults };
+        let Some(named) = self.own(traffic, now) else { return faults };
         let severity = severity(named.fault);
         // What is no plain fact is why the cluster misses nodes.
         let is_cause = severity > Severity::None;
+        let is_doubt = self.search == Some(Search::Contradicted) || traffic.is_doubled;
+        let has_turn = is_doubt && now.0 % TURN_MS >= TURN_MS - DOUBT_MS;
         match faults {
-            Some(line) if line.severity > severity && !(is_cause && is_silence) => faults,
+            Some(line) if !has_turn && line.severity > severity && !(is_cause && is_silence) => faults,
             _ => Some(Line::of(named, severity, vehicle)),
         }
     }
@@ -118,7 +137,9 @@ mod tests {
     }
 
     fn said(conditions: Conditions, now: u64) -> Option<(FaultId, Option<u16>)> {
-        conditions.beside(None, false, &VEHICLE, Millis(now)).map(|line| (line.named.fault, line.code))
+        conditions
+            .beside(Traffic::default(), None, false, &VEHICLE, Millis(now))
+            .map(|line| (line.named.fault, line.code))
     }
 
     const NO_CONTROLLER: Conditions = Conditions { controller_missing: true, restart: None, search: None };
@@ -130,12 +151,14 @@ mod tests {
     #[test]
     fn a_cause_goes_before_the_silence_that_it_brings_and_never_before_what_the_vehicle_reports() {
         for conditions in [NO_CONTROLLER, CONTRADICTED, RESTARTED] {
-            let own = conditions.beside(None, false, &VEHICLE, Millis(200));
+            let own = conditions.beside(Traffic::default(), None, false, &VEHICLE, Millis(200));
             assert!(own.is_some(), "{conditions:?}");
             for severity in [Severity::None, Warn, Derate, Stop] {
-                let silence = conditions.beside(Some(line(severity)), true, &VEHICLE, Millis(200));
+                let silence =
+                    conditions.beside(Traffic::default(), Some(line(severity)), true, &VEHICLE, Millis(200));
                 assert_eq!(silence, own, "{conditions:?} behind a silent node, {severity:?}");
-                let report = conditions.beside(Some(line(severity)), false, &VEHICLE, Millis(200));
+                let report =
+                    conditions.beside(Traffic::default(), Some(line(severity)), false, &VEHICLE, Millis(200));
                 let expected = if severity > Warn { Some(line(severity)) } else { own };
                 assert_eq!(report, expected, "{conditions:?} and a report, {severity:?}");
             }
@@ -143,12 +166,30 @@ mod tests {
     }
 
     #[test]
+    fn a_doubt_has_one_second_of_four_beside_the_worst_report() {
+        let said = |now| {
+            CONTRADICTED
+                .beside(Traffic::default(), Some(line(Stop)), false, &VEHICLE, Millis(now))
+                .map(|line| line.named.fault)
+        };
+        let (doubt, report) = (Some(Doubt), Some(VehicleCode));
+        let times = [4_000, 6_999, 7_000, 7_999, 8_000];
+        assert_eq!(times.map(said), [report, report, doubt, doubt, report]);
+    }
+
+    #[test]
     fn a_plain_fact_gives_way_to_every_fault() {
         for search in [Search::Listening, Search::Found { at: Millis(1_500) }] {
             let conditions = Conditions { search: Some(search), ..Conditions::default() };
-            assert!(conditions.beside(None, false, &VEHICLE, Millis(2_000)).is_some());
+            assert!(conditions.beside(Traffic::default(), None, false, &VEHICLE, Millis(2_000)).is_some());
             for is_silence in [false, true] {
-                let shown = conditions.beside(Some(line(Warn)), is_silence, &VEHICLE, Millis(2_000));
+                let shown = conditions.beside(
+                    Traffic::default(),
+                    Some(line(Warn)),
+                    is_silence,
+                    &VEHICLE,
+                    Millis(2_000),
+                );
                 assert_eq!(shown, Some(line(Warn)), "{search:?}");
             }
         }

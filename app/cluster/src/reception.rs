@@ -1,19 +1,22 @@
 //! What came in and how long ago: readings and last signs of life.
 //!
 //! Owns the readings, the last sign of life of every message and the receive counters. A life counter that stands
-//! still is silence, however many frames arrive. What a stream says gives way to any message that says it too.
-//! Refuses to know what a value means.
-//! Source: BUS-11 (all bits of the identifier), BUS-108 (time-outs), BUS-R061 and BUS-63 (life counters).
+//! still is silence, however many frames arrive, and in a vital message it discredits its whole node: what such a node
+//! says of trouble is still believed, what it says of health is not. Messages that nobody misses (nameplates) are no
+//! sign of life of a node that has others. What a stream says gives way to any message that says it too.
+//! Refuses to know what a value means, and which of two senders of a message is the right one.
+//! Source: BUS-11 (all bits of the identifier), BUS-108 (time-outs), BUS-R021, BUS-R061 and BUS-63 (life counters).
 
-use protocol_core::model::{Reading, Readings, Shown, Value};
+mod senders;
+
+use protocol_core::model::{Reading, Readings, Shown, Unit, Value};
 use protocol_core::stream::{Stream, Streams};
 use protocol_core::vehicle::{Node, RxMessage, Vehicle};
 use protocol_core::{CanFrame, Millis};
+use senders::{Senders, stamp};
 
 /// Most messages that a vehicle's receive table may have.
 pub const MAX_MESSAGES: usize = 64;
-
-const NODES: usize = Node::Cluster as usize + 1;
 
 /// What became of a received frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,16 +44,19 @@ pub struct Counters {
     pub damaged: u32,
 }
 
-/// When each node gave its last sign of life.
-type LastSeen = [Option<Millis>; NODES];
-
 /// The last sign of life of one message.
 #[derive(Clone, Copy)]
 struct Sign {
     /// [`NEVER`] = none yet.
     at: Millis,
+    /// Last frame, a sign of life or not: the low bits of its time.
+    heard: u32,
     life: u8,
+    senders: Senders,
 }
+
+/// Time for which two senders are said after the last evidence, in milliseconds.
+const DOUBLED_MS: u64 = 5_000;
 
 const NEVER: Millis = Millis(u64::MAX);
 
@@ -59,7 +65,12 @@ const NEVER: Millis = Millis(u64::MAX);
 pub(crate) struct Reception {
     pub(crate) readings: Readings,
     signs: [Sign; MAX_MESSAGES],
-    last_seen: LastSeen,
+    /// Last frame of any message.
+    heard: Option<Millis>,
+    /// A node one of whose messages has two senders, and when that was last seen.
+    doubled: Option<(Node, Millis)>,
+    /// Nodes with a vital message whose life counter stands still, as of the last [`Self::judge`].
+    discredited: Nodes,
     stored: u32,
     unknown: u32,
     too_short: u32,
@@ -71,8 +82,10 @@ impl Reception {
     pub(crate) const fn new() -> Self {
         Self {
             readings: Readings::new(),
-            signs: [Sign { at: NEVER, life: 0 }; MAX_MESSAGES],
-            last_seen: [None; NODES],
+            signs: [Sign { at: NEVER, heard: 0, life: 0, senders: Senders::new() }; MAX_MESSAGES],
+            heard: None,
+            doubled: None,
+            discredited: Nodes::NONE,
             stored: 0,
             unknown: 0,
             too_short: 0,
@@ -116,13 +129,38 @@ impl Reception {
             let byte = frame.padded().get(usize::from(life.byte)).copied().unwrap_or(0);
             byte & life.mask
         });
-        if let Some(sign) = self.signs.get_mut(usize::from(index))
-            && let Some(last_seen) = self.last_seen.get_mut(message.node as usize)
-            && (sign.at == NEVER || life.is_none_or(|life| life != sign.life))
-        {
-            *sign = Sign { at: now, life: life.unwrap_or(0) };
-            *last_seen = (*last_seen).max(Some(now));
+        let Some(sign) = self.signs.get_mut(usize::from(index)) else { return };
+        if sign.senders.hear(message, life, now) {
+            self.doubled = Some((message.node, now));
         }
+        self.heard = Some(now);
+        sign.heard = stamp(now);
+        if sign.at == NEVER || life.is_none_or(|life| life != sign.life) {
+            (sign.at, sign.life) = (now, life.unwrap_or(0));
+        }
+    }
+
+    /// Judges the nodes by the life counters of their vital messages; to be called every tick.
+    pub(crate) fn judge(&mut self, vehicle: &Vehicle, now: Millis) {
+        self.discredited = Nodes::NONE;
+        for (message, sign) in vehicle.rx.iter().zip(&self.signs) {
+            let timeout_ms = u64::from(message.timeout_ms);
+            let is_heard = sign.at != NEVER && u64::from(stamp(now).wrapping_sub(sign.heard)) < timeout_ms;
+            if message.vital && is_heard && now.since(sign.at) >= timeout_ms {
+                self.discredited.add(message.node);
+            }
+        }
+    }
+
+    /// Returns a node one of whose messages has two senders.
+    pub(crate) fn doubled(&self, now: Millis) -> Option<Node> {
+        let (node, at) = self.doubled?;
+        (now.since(at) < DOUBLED_MS).then_some(node)
+    }
+
+    /// Returns when any message was heard last.
+    pub(crate) const fn last_heard(&self) -> Option<Millis> {
+        self.heard
     }
 
     /// Files what a stream says under the values that no other message brings.
@@ -150,9 +188,17 @@ impl Reception {
             return Shown::Stale;
         }
         match reading {
+            Reading::Valid(number) if self.is_discredited(vehicle, source) && !is_trouble(value, number) => {
+                Shown::Stale
+            }
             Reading::Valid(number) => Shown::Value(number),
             Reading::Invalid => Shown::Invalid,
         }
+    }
+
+    fn is_discredited(&self, vehicle: &Vehicle, source: u8) -> bool {
+        let message = vehicle.rx.get(usize::from(source)).filter(|_| !self.discredited.is_empty());
+        message.is_some_and(|message| self.discredited.has(message.node))
     }
 
     /// Returns the last number of `value`, however old.
@@ -170,9 +216,18 @@ impl Reception {
         })
     }
 
-    /// Returns when `node` gave its last sign of life.
-    pub(crate) fn last_sign(&self, node: Node) -> Option<Millis> {
-        self.last_seen.get(node as usize).copied().flatten()
+    /// Returns when `node` gave its last sign of life: of its vital messages the oldest counts, else the newest of those
+    /// that are missed, else of all.
+    pub(crate) fn last_sign(&self, vehicle: &Vehicle, node: Node) -> Option<Millis> {
+        let rows = || vehicle.rx.iter().zip(&self.signs).filter(|(message, _)| message.node == node);
+        let at = |sign: &Sign| Some(sign.at).filter(|at| *at != NEVER);
+        let vital = rows().filter(|(message, _)| message.vital && message.expected);
+        if let Some(oldest) = vital.map(|(_, sign)| at(sign)).min() {
+            return oldest;
+        }
+        let is_missed = rows().any(|(message, _)| message.expected);
+        let counting = rows().filter(|(message, _)| message.expected || !is_missed);
+        counting.filter_map(|(_, sign)| at(sign)).max()
     }
 
     /// Returns the nodes of which an expected message is missing.
@@ -209,6 +264,13 @@ impl Reception {
             damaged: self.damaged,
         }
     }
+}
+
+/// Returns whether a number of this value reports trouble: believed from whomever.
+fn is_trouble(value: Value, number: i32) -> bool {
+    let reports = matches!(value.unit(), Unit::Severity | Unit::Bits)
+        || matches!(value, Value::BatteryHvOffRequest | Value::VehicleFaultCode | Value::BatteryFaultCode);
+    reports && number != 0
 }
 
 fn row_of<'a>(vehicle: &'a Vehicle, frame: &CanFrame) -> Option<(u8, &'a RxMessage)> {

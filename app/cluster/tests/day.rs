@@ -65,7 +65,7 @@ impl Day {
         Self {
             vehicle,
             cluster: Cluster::new(vehicle),
-            inputs: Inputs { key: Key::On, ..Inputs::default() },
+            inputs: Inputs { key: Some(Key::On), ..Inputs::default() },
             dice: Dice(0x9E37_79B9_7F4A_7C15 ^ start),
             now: Millis(start),
             said: vec![Some([0; 8]); vehicle.rx.len()],

@@ -13,7 +13,8 @@ const FIXED: Option<&Vehicle> = match option_env!("CLUSTER_VEHICLE") {
     None => None,
 };
 
-const OPTIONS: Options = Options { hvac_alarm: cfg!(feature = "hvac-alarm") };
+const OPTIONS: Options =
+    Options { hvac_alarm: cfg!(feature = "hvac-alarm"), may_upgrade: cfg!(feature = "remote-upgrade") };
 
 /// Returns the instrument to start with.
 pub const fn instrument() -> Instrument {

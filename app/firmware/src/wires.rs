@@ -1,8 +1,9 @@
 //! The cluster's own wires: from the board's parts to what the instrument takes in.
 //!
-//! Everything goes through as it is, bounces too. This board has no key switch: power is what the key gives.
+//! Everything goes through as it is, bounces too. This board has no key switch, and wires some of the contacts: what has
+//! no wire is not known, and said to be so.
 
-use cluster::{Contacts, Controller, Inputs, Key};
+use cluster::{Contacts, Controller, Inputs};
 use pico::{BodyWires, Buttons, Gauges, Measured};
 
 /// The board's inputs, and what changes slowly as of the last [`Self::look`].
@@ -32,8 +33,9 @@ impl Wires {
         let [next, menu] = self.buttons.held();
         let Measured { supply_decivolts, air_front_centimpa, air_rear_centimpa } = self.measured;
         Inputs {
-            key: Key::On,
+            key: None,
             contacts: Contacts::closed(self.body.closed()),
+            unwired: Contacts::closed(self.body.wired()).others(),
             supply_decivolts,
             air_front_centimpa,
             air_rear_centimpa,

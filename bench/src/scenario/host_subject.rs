@@ -9,7 +9,7 @@ use super::{Action, Answer, BusFault, Name, Place, Subject};
 use crate::switches;
 use anyhow::Result;
 use cluster::page::key_of;
-use cluster::{Button, Buttons, Contacts, Inputs, Instrument, Key, Sound, View};
+use cluster::{Button, Buttons, Contacts, Inputs, Instrument, Sound, View};
 use protocol_core::generated::SHIPPED_VEHICLES;
 use protocol_core::link::Sample;
 use protocol_core::model::{Gear, Shown};
@@ -198,8 +198,9 @@ fn sample(shown: Shown<impl Into<i32>>) -> Sample {
 fn inputs(world: &World, buttons: Buttons) -> Inputs {
     let air = |mpa: f64| (world.kind == Kind::Citybus).then_some((mpa * 100.0).round() as u16);
     Inputs {
-        key: Key::On,
+        key: None,
         contacts: Contacts::closed(switches::closed(world)),
+        unwired: Contacts::closed(switches::SWITCHES.iter().map(|switch| switch.value)).others(),
         supply_decivolts: Some(world.supply.volts)
             .filter(|volts| *volts >= SUPPLY_MEASURED)
             .map(|volts| (volts * 10.0).round() as u16),

@@ -81,6 +81,11 @@ type Contact = (Value, Pin<DynPinId, FunctionSio<SioInput>, PullUp>);
 pub struct BodyWires(pub(crate) [Contact; crate::CONTACTS]);
 
 impl BodyWires {
+    /// Returns the values of the contacts that have a pin.
+    pub fn wired(&self) -> impl Iterator<Item = Value> {
+        self.0.iter().map(|(value, _)| *value)
+    }
+
     /// Returns the values of the contacts that are closed now.
     pub fn closed(&mut self) -> impl Iterator<Item = Value> {
         self.0.iter_mut().filter_map(|(value, pin)| pin.is_low().is_ok_and(|low| low).then_some(*value))

@@ -370,11 +370,15 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
 
     /// Asks for another mode, without a restart and without losing a frame: the chip changes over between two frames.
     ///
-    /// Whether it did is seen by the next [`Self::supervise`], which must not come within 2 ms.
+    /// Whether it did is seen by the next [`Self::supervise`], which must not come within 2 ms. A frame that still waits
+    /// is taken back when the node is only to listen: it would go out as soon as it may send again.
     ///
     /// # Errors
     /// When the SPI bus fails.
     pub fn change_mode(&mut self, mode: Mode) -> Result<(), SPI::Error> {
+        if mode == Mode::ListenOnly {
+            self.take_back()?;
+        }
         self.config.mode = mode;
         self.commands.bit_modify(Register::CANCTRL, regs::REQOP, mode.opmod())
     }
@@ -582,13 +586,19 @@ impl<SPI: SpiDevice, INT: InputPin> Mcp2515<SPI, INT> {
     /// Takes the waiting frame back, which the chip would send as soon as it recovers.
     #[cold]
     fn leave_bus(&mut self) -> Result<(), SPI::Error> {
+        self.take_back()?;
+        count(&mut self.health.bus_offs, 1);
+        self.silence_due = true;
+        Ok(())
+    }
+
+    /// Takes the waiting frame back, if there is one.
+    fn take_back(&mut self) -> Result<(), SPI::Error> {
         if self.pending_since_ms.is_some() {
             self.commands.bit_modify(Register::TXB0CTRL, regs::TXREQ, 0)?;
             self.pending_since_ms = None;
             count(&mut self.health.aborted, 1);
         }
-        count(&mut self.health.bus_offs, 1);
-        self.silence_due = true;
         Ok(())
     }
 

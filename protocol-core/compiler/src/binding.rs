@@ -11,7 +11,7 @@ use protocol_core::codec::Mux;
 use protocol_core::model::{Missing, Severity, Unit, Value};
 use protocol_core::states::Kind;
 use protocol_core::stream;
-use protocol_core::vehicle::Node;
+use protocol_core::vehicle::{HvOffRule, LimpRule, Node, Rules};
 use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -23,6 +23,9 @@ pub(crate) struct Binding {
     pub(crate) worst_level: u8,
     /// Images hold the vehicle and look for it.
     pub(crate) shipped: bool,
+    /// Values of a byte that say "not available", for the bit fields in it too.
+    pub(crate) filler: Vec<u8>,
+    pub(crate) rules: Rules,
     pub(crate) nodes: Vec<NodeRow>,
     /// Sorted by identifier.
     pub(crate) rx: Vec<Rx>,
@@ -46,6 +49,7 @@ pub(crate) struct Rx {
     pub(crate) timeout_ms: u32,
     pub(crate) checksum: Option<Checksum>,
     pub(crate) expected: bool,
+    pub(crate) vital: bool,
     pub(crate) values: Vec<RxValue>,
 }
 
@@ -236,12 +240,14 @@ impl Reader<'_> {
     }
 
     fn root(&mut self, root: &DeTable<'_>) -> Binding {
-        const SECTIONS: [&str; 7] = ["faults", "maps", "nodes", "rx", "streams", "tx", "vehicle"];
+        const SECTIONS: [&str; 8] = ["faults", "maps", "nodes", "rules", "rx", "streams", "tx", "vehicle"];
         let mut binding = Binding {
             zh: String::new(),
             en: String::new(),
             worst_level: 3,
             shipped: true,
+            filler: Vec::new(),
+            rules: Rules::NONE,
             nodes: Vec::new(),
             rx: Vec::new(),
             streams: Vec::new(),
@@ -254,6 +260,9 @@ impl Reader<'_> {
         match root.get("vehicle") {
             Some(vehicle) => self.vehicle(vehicle, &mut binding),
             None => self.report.line(1, "section [vehicle] with the names `zh` and `en` is missing"),
+        }
+        if let Some(rules) = root.get("rules") {
+            binding.rules = self.rules(rules);
         }
         if let Some(nodes) = root.get("nodes") {
             binding.nodes = self.nodes(nodes);
@@ -282,8 +291,61 @@ impl Reader<'_> {
         binding
     }
 
+    fn bytes(&mut self, at: &Spanned<DeValue<'_>>) -> Vec<u8> {
+        match at.get_ref() {
+            DeValue::Array(list) => list.iter().map(|byte| self.number(byte, 1..=255) as u8).collect(),
+            _ => {
+                self.wrong(at, "a list of bytes");
+                Vec::new()
+            }
+        }
+    }
+
+    fn rules(&mut self, at: &Spanned<DeValue<'_>>) -> Rules {
+        const KEYS: [&str; 5] = ["buzzer_ms", "charger_loss_ms", "hv_off", "hvac_loss_ms", "limp"];
+        let mut rules = Rules::NONE;
+        for (key, value) in self.table(at) {
+            match key.get_ref().as_ref() {
+                "buzzer_ms" => rules.buzzer_ms = Some(self.duration_ms(value)),
+                "charger_loss_ms" => rules.charger_loss_ms = Some(self.duration_ms(value)),
+                "hvac_loss_ms" => rules.hvac_loss_ms = Some(self.duration_ms(value)),
+                "hv_off" => {
+                    let [vehicle_ms, battery_ms] = self.numbers(value, ["vehicle_ms", "battery_ms"]);
+                    rules.hv_off = Some(HvOffRule { vehicle_ms, battery_ms });
+                }
+                "limp" => {
+                    let keys = ["silence_ms", "most_deciamps", "deciamps_per_ah"];
+                    let [silence_ms, most, per_ah] = self.numbers(value, keys);
+                    let [most_deciamps, deciamps_per_ah] = [most, per_ah].map(u32::cast_signed);
+                    rules.limp = Some(LimpRule { silence_ms, most_deciamps, deciamps_per_ah });
+                }
+                other => self.unknown(key.span().start, "rule", other, KEYS.into_iter()),
+            }
+        }
+        rules
+    }
+
+    /// Reads a table that needs all of `keys`.
+    fn numbers<const N: usize>(&mut self, at: &Spanned<DeValue<'_>>, keys: [&str; N]) -> [u32; N] {
+        let mut found = [0; N];
+        for (key, value) in self.table(at) {
+            match keys.iter().position(|known| *known == key.get_ref()) {
+                Some(place) => found[place] = self.duration_ms(value),
+                None => self.unknown(key.span().start, "key", key.get_ref(), keys.into_iter()),
+            }
+        }
+        if let Some(place) = found.iter().position(|number| *number == 0) {
+            self.report.offset(at.span().start, format!("`{}` is missing", keys[place]));
+        }
+        found
+    }
+
+    fn duration_ms(&mut self, at: &Spanned<DeValue<'_>>) -> u32 {
+        self.number(at, 1..=600_000) as u32
+    }
+
     fn vehicle(&mut self, at: &Spanned<DeValue<'_>>, binding: &mut Binding) {
-        const KEYS: [&str; 4] = ["zh", "en", "worst_level", "shipped"];
+        const KEYS: [&str; 5] = ["zh", "en", "worst_level", "shipped", "filler"];
         for (key, value) in self.table(at) {
             match key.get_ref().as_ref() {
                 "zh" => binding.zh = self.text(value),
@@ -293,6 +355,7 @@ impl Reader<'_> {
                     level => binding.worst_level = level as u8,
                 },
                 "shipped" => binding.shipped = self.flag(value),
+                "filler" => binding.filler = self.bytes(value),
                 other => self.unknown(key.span().start, "key", other, KEYS.into_iter()),
             }
         }
@@ -385,12 +448,14 @@ impl Reader<'_> {
                 timeout_ms: 0,
                 checksum: None,
                 expected: !message.optional,
+                vital: false,
                 values: Vec::new(),
             };
             for (key, value) in self.table(table) {
                 match key.get_ref().as_ref() {
                     "enabled" => enabled = self.flag(value),
                     "expected" => row.expected = self.flag(value),
+                    "vital" => row.vital = self.flag(value),
                     "checksum" => row.checksum = self.checksum(value, message),
                     "len" => row.len = self.number(value, 0..=i64::from(message.len)) as u8,
                     "timeout_ms" => timeout = Some(self.number(value, 50..=600_000) as u32),
@@ -450,7 +515,7 @@ impl Reader<'_> {
                 }
             }
             _ => {
-                const OPTIONS: [&str; 5] = ["checksum", "enabled", "expected", "len", "timeout_ms"];
+                const OPTIONS: [&str; 6] = ["checksum", "enabled", "expected", "len", "timeout_ms", "vital"];
                 let known = Value::ALL.iter().map(|value| value.path()).chain(OPTIONS);
                 self.unknown(key.span().start, "model value", &path, known);
             }
@@ -644,6 +709,7 @@ impl Reader<'_> {
             timeout_ms: usual_timeout(message),
             checksum: None,
             expected: false,
+            vital: false,
             values: Vec::new(),
         };
         let row = StreamRow {

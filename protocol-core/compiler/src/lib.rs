@@ -70,7 +70,7 @@ fn compile_vehicle(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<
          use crate::frame::CanId;\n\
          use crate::model::{INVALID, Readings, Severity, Value};\n\
          use crate::stream::{Bound, Cell, Stream};\n\
-         use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};\n",
+         use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};\n",
     );
     codec_text::write(&mut out, &network);
     vehicle_text::write(&mut out, name, &network, &binding);

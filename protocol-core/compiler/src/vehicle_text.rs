@@ -10,8 +10,8 @@ use crate::ratio::Linear;
 use protocol_core::checksum::Checksum;
 use protocol_core::codec::Mux;
 use protocol_core::model::{Severity, Unit};
-use protocol_core::vehicle::Node;
-use std::collections::BTreeMap;
+use protocol_core::vehicle::{Node, Rules};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 fn life_text(message: &Message) -> String {
@@ -79,9 +79,17 @@ fn write_rows(out: &mut String, network: &Network, binding: &Binding) {
     for rx in &binding.rx {
         let message = &network.messages[rx.message];
         let _ = write!(out, "    RxMessage {{ id: {}, name: {:?}, ", id_text(message.id), message.name);
-        let _ = write!(out, "node: Node::{:?}, len: {}, timeout_ms: {}, ", rx.node, rx.len, rx.timeout_ms);
+        let _ = write!(
+            out,
+            "node: Node::{:?}, len: {}, cycle_ms: {}, timeout_ms: {}, ",
+            rx.node, rx.len, message.cycle_ms, rx.timeout_ms
+        );
         let (life, checksum) = (life_text(message), checksum_text(rx.checksum));
-        let _ = writeln!(out, "life: {life}, checksum: {checksum}, expected: {} }},", rx.expected);
+        let _ = writeln!(
+            out,
+            "life: {life}, checksum: {checksum}, expected: {}, vital: {} }},",
+            rx.expected, rx.vital
+        );
     }
     let _ = writeln!(out, "];\n\nstatic TX: &[TxMessage] = &[");
     for tx in &binding.tx {
@@ -186,7 +194,7 @@ fn plain_bit(term: &Term, message: &Message) -> Option<(u8, u8)> {
 }
 
 /// Returns bits of several signals as one number: neighbours move together.
-fn gathered(value: &RxValue, message: &Message) -> String {
+fn gathered(value: &RxValue, message: &Message, filler: &[u8]) -> String {
     let mut runs: BTreeMap<(u8, i16), u8> = BTreeMap::new();
     for (index, term) in value.terms.iter().enumerate() {
         let segment = message.signals[term.signal].segments()[0];
@@ -197,6 +205,10 @@ fn gathered(value: &RxValue, message: &Message) -> String {
             0xFF => format!("frame.0[{byte}] as i32"),
             mask => format!("(frame.0[{byte}] & 0x{mask:02X}) as i32"),
         };
+        let part = match filler {
+            [] => part,
+            filler => format!("if {} {{ 0 }} else {{ {part} }}", is_filler(*byte, filler)),
+        };
         match shift {
             0 => part,
             1.. => format!("({part}) << {shift}"),
@@ -206,10 +218,81 @@ fn gathered(value: &RxValue, message: &Message) -> String {
     runs.iter().map(run).collect::<Vec<_>>().join(" | ")
 }
 
-fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: &RxValue) {
+/// Returns the bytes that hold bit fields of `terms`: whatever is filler in them is no bit.
+fn field_bytes(terms: &[Term], message: &Message) -> BTreeSet<u8> {
+    let is_field =
+        |term: &&Term| message.signals[term.signal].length < 8 || matches!(term.how, How::Mapped { .. });
+    let fields = terms.iter().filter(is_field);
+    fields.flat_map(|term| message.signals[term.signal].segments()).map(|segment| segment.byte).collect()
+}
+
+/// Returns the condition that a byte is filler.
+fn is_filler(byte: u8, filler: &[u8]) -> String {
+    let values: Vec<String> = filler.iter().map(|value| format!("0x{value:02X}")).collect();
+    format!("matches!(frame.0[{byte}], {})", values.join(" | "))
+}
+
+/// Returns the condition that one of the bytes is filler.
+fn is_any_filler(bytes: &BTreeSet<u8>, filler: &[u8]) -> String {
+    bytes.iter().map(|byte| is_filler(*byte, filler)).collect::<Vec<_>>().join(" || ")
+}
+
+/// Writes a value of the frame. Bit fields in a byte of filler say nothing; of several, one that reports something stands
+/// although others are filler, and none of them is then known to be well.
+fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: &RxValue, filler: &[u8]) {
+    let target = format!("source, Value::{}", variant(value.value));
+    let bytes = field_bytes(&value.terms, message);
+    if filler.is_empty() || bytes.is_empty() {
+        return write_plain(out, tables, message, value, filler.contains(&0xFF));
+    }
+    let is_unknown = is_any_filler(&bytes, filler);
+    if value.value.unit() == Unit::Bits {
+        let _ = writeln!(out, "    let bits = {};", gathered(value, message, filler));
+        let _ = writeln!(out, "    readings.put({target}, bits, bits != 0 || !({is_unknown}));");
+    } else if bytes.len() > 1 && value.terms.len() > 1 {
+        write_worst(out, tables, message, value, filler);
+        let _ = writeln!(
+            out,
+            "    readings.put({target}, worst, worst > 0 || worst != INVALID && !({is_unknown}));"
+        );
+    } else {
+        let mut plain = String::new();
+        write_plain(&mut plain, tables, message, value, false);
+        let _ = writeln!(
+            out,
+            "    if {is_unknown} {{\n        readings.put({target}, 0, false);\n    }} else {{"
+        );
+        for line in plain.lines() {
+            let _ = writeln!(out, "    {line}");
+        }
+        out.push_str("    }\n");
+    }
+}
+
+/// Writes the worst state of several signals; one whose byte is filler is no state.
+fn write_worst(out: &mut String, tables: &mut Tables, message: &Message, value: &RxValue, filler: &[u8]) {
+    for (index, term) in value.terms.iter().enumerate() {
+        let signal = &message.signals[term.signal];
+        let raw = format!("frame.{}_raw()", function_name(&signal.name));
+        let How::Mapped { states, other } = &term.how else { continue };
+        let state = tables.state(states, *other, signal, &raw);
+        let bytes = field_bytes(std::slice::from_ref(term), message);
+        let state = match filler {
+            [] => state,
+            filler => format!("if {} {{ INVALID }} else {{ {state} }}", is_any_filler(&bytes, filler)),
+        };
+        let _ = match index {
+            0 => writeln!(out, "    let worst = {state};"),
+            _ => writeln!(out, "    let worst = i32::max(worst, {state});"),
+        };
+    }
+}
+
+/// Writes a value; `filled` tells that a number whose bytes are all 0xFF is not available.
+fn write_plain(out: &mut String, tables: &mut Tables, message: &Message, value: &RxValue, filled: bool) {
     let target = format!("source, Value::{}", variant(value.value));
     if value.value.unit() == Unit::Bits {
-        let _ = writeln!(out, "    readings.put({target}, {}, true);", gathered(value, message));
+        let _ = writeln!(out, "    readings.put({target}, {}, true);", gathered(value, message, &[]));
         return;
     }
     if let [term] = value.terms.as_slice() {
@@ -218,7 +301,12 @@ fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: 
         match &term.how {
             How::Scaled { linear, nearest, magnitude } => {
                 let valid = validity(signal, "raw");
-                let valid = if valid.is_empty() { "true".into() } else { valid };
+                let is_whole = signal.length.is_multiple_of(8) && !signal.signed;
+                let valid = match valid.is_empty() {
+                    false => valid,
+                    true if filled && is_whole => format!("raw != {}", signal.span().1),
+                    true => "true".into(),
+                };
                 let number = if fits(*linear, signal, *nearest) {
                     divided(&counts("raw", "i32", linear.mul, linear.add), linear.den, *nearest)
                 } else {
@@ -266,21 +354,12 @@ fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: 
         let _ = writeln!(out, "    readings.put({target}, set as i32, true);");
         return;
     }
-    for (index, term) in value.terms.iter().enumerate() {
-        let signal = &message.signals[term.signal];
-        let raw = format!("frame.{}_raw()", function_name(&signal.name));
-        let How::Mapped { states, other } = &term.how else { continue };
-        let state = tables.state(states, *other, signal, &raw);
-        let _ = match index {
-            0 => writeln!(out, "    let worst = {state};"),
-            _ => writeln!(out, "    let worst = i32::max(worst, {state});"),
-        };
-    }
+    write_worst(out, tables, message, value, &[]);
     let _ = writeln!(out, "    readings.put({target}, worst, worst != INVALID);");
 }
 
 /// Writes the values that are always in the frame, then those of each multiplex value.
-fn write_values(out: &mut String, tables: &mut Tables, message: &Message, values: &[RxValue]) {
+fn write_values(out: &mut String, tables: &mut Tables, message: &Message, values: &[RxValue], filler: &[u8]) {
     let mut pages: BTreeMap<Option<u32>, Vec<&RxValue>> = BTreeMap::new();
     for value in values {
         let page = if let Mux::When(raw) = value.mux(message) { Some(raw) } else { None };
@@ -293,7 +372,7 @@ fn write_values(out: &mut String, tables: &mut Tables, message: &Message, values
             let _ = writeln!(out, "    if frame.{}_raw() == {raw} {{", function_name(&selector.name));
         }
         for value in values {
-            write_value(out, tables, message, value);
+            write_value(out, tables, message, value, filler);
         }
         if inside.is_some() {
             out.push_str("    }\n");
@@ -308,7 +387,7 @@ fn joined(terms: &[String]) -> String {
     }
 }
 
-fn write_decoder(out: &mut String, network: &Network, rx: &[Rx]) {
+fn write_decoder(out: &mut String, network: &Network, rx: &[Rx], filler: &[u8]) {
     let mut tables = Tables::default();
     for row in rx {
         let message = &network.messages[row.message];
@@ -321,7 +400,7 @@ fn write_decoder(out: &mut String, network: &Network, rx: &[Rx]) {
         if !row.values.is_empty() {
             let _ = writeln!(out, "    let frame = {}(*data);", type_name(&message.name));
         }
-        write_values(out, &mut tables, message, &row.values);
+        write_values(out, &mut tables, message, &row.values, filler);
         out.push_str("}\n");
     }
     tables.write(out);
@@ -406,12 +485,17 @@ pub(crate) fn write(out: &mut String, name: &str, network: &Network, binding: &B
     write_rows(out, network, binding);
     write_streams(out, network, binding);
     write_ids(out, network, binding);
-    write_decoder(out, network, &binding.rx);
+    write_decoder(out, network, &binding.rx, &binding.filler);
     write_encoder(out, network, &binding.tx);
     let _ = writeln!(out, "\n/// {} ({}).", one_line(&binding.en), one_line(&binding.zh));
     let _ = writeln!(out, "pub static VEHICLE: Vehicle = Vehicle {{");
     let _ = writeln!(out, "    name: {name:?},\n    zh: {:?},\n    en: {:?},", binding.zh, binding.en);
     let _ = writeln!(out, "    bitrate: {},\n    worst_level: {},", network.bitrate, binding.worst_level);
+    let rules = match binding.rules {
+        Rules::NONE => "Rules::NONE".into(),
+        rules => format!("{rules:?}"),
+    };
+    let _ = writeln!(out, "    rules: {rules},");
     out.push_str(
         "    rx: RX,\n    decode,\n    streams: STREAMS,\n    ids: IDS,\n    tx: TX,\n    encode,\n    faults: FAULTS,\n    nodes: NODES,\n};\n",
     );

@@ -7,7 +7,7 @@ use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalIn
 use crate::frame::CanId;
 use crate::model::{INVALID, Readings, Severity, Value};
 use crate::stream::{Bound, Cell, Stream};
-use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};
 
 /// Identifiers.
 pub mod id {
@@ -2723,12 +2723,12 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::extended(0x182127F4), name: "BMSA", node: Node::Bms, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x182227F4), name: "BMSB", node: Node::Bms, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x182327F4), name: "BMSC", node: Node::Bms, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x182427F4), name: "BMSD", node: Node::Bms, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x1840FFE5), name: "ChargerTx", node: Node::Charger, len: 8, timeout_ms: 5000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18C21727), name: "VCUToCluster", node: Node::Vcu, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: true },
+    RxMessage { id: CanId::extended(0x182127F4), name: "BMSA", node: Node::Bms, len: 8, cycle_ms: 200, timeout_ms: 1000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x182227F4), name: "BMSB", node: Node::Bms, len: 8, cycle_ms: 200, timeout_ms: 1000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x182327F4), name: "BMSC", node: Node::Bms, len: 8, cycle_ms: 200, timeout_ms: 1000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x182427F4), name: "BMSD", node: Node::Bms, len: 8, cycle_ms: 200, timeout_ms: 1000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x1840FFE5), name: "ChargerTx", node: Node::Charger, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x18C21727), name: "VCUToCluster", node: Node::Vcu, len: 8, cycle_ms: 200, timeout_ms: 1000, life: None, checksum: None, expected: true, vital: false },
 ];
 
 static TX: &[TxMessage] = &[
@@ -2918,6 +2918,7 @@ pub static VEHICLE: Vehicle = Vehicle {
     en: "C5EV electric car",
     bitrate: 250000,
     worst_level: 3,
+    rules: Rules { hv_off: None, limp: None, charger_loss_ms: Some(5000), hvac_loss_ms: None, buzzer_ms: Some(120000) },
     rx: RX,
     decode,
     streams: STREAMS,

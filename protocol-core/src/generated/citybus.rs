@@ -7,7 +7,7 @@ use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalIn
 use crate::frame::CanId;
 use crate::model::{INVALID, Readings, Severity, Value};
 use crate::stream::{Bound, Cell, Stream};
-use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};
 
 /// Identifiers.
 pub mod id {
@@ -6359,26 +6359,26 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::extended(0x0CF101A7), name: "VCU1", node: Node::Vcu, len: 8, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x0CF103A7), name: "VCU3", node: Node::Vcu, len: 8, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x0CF1064A), name: "VCU7", node: Node::Vcu, len: 8, timeout_ms: 5000, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x1429FF9B), name: "AirPump", node: Node::Compressor, len: 8, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x142CFF98), name: "DCDC", node: Node::Dcdc, len: 8, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x142FFF95), name: "SteeringPump", node: Node::Steering, len: 8, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F11FF0), name: "IPU1", node: Node::Inverter, len: 8, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xF0 }), checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18F120F0), name: "IPU2", node: Node::Inverter, len: 8, timeout_ms: 500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F121F0), name: "IPU3", node: Node::Inverter, len: 8, timeout_ms: 500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F13DF3), name: "BMS1", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F13EF3), name: "BMS2", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F140F3), name: "BMS4", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F141F3), name: "BMS5", node: Node::Bms, len: 8, timeout_ms: 2500, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18F142F3), name: "BMS6", node: Node::Bms, len: 8, timeout_ms: 5000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18F143F3), name: "BMS7", node: Node::Bms, len: 8, timeout_ms: 5000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18F144F3), name: "BMS8", node: Node::Bms, len: 8, timeout_ms: 5000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18F146F3), name: "BMS10", node: Node::Bms, len: 8, timeout_ms: 5000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18F148F3), name: "BMS12", node: Node::Bms, len: 8, timeout_ms: 15000, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18F746E5), name: "Insulation", node: Node::Insulation, len: 8, timeout_ms: 15000, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18FFC09E), name: "HVAC", node: Node::Hvac, len: 8, timeout_ms: 5000, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: false },
+    RxMessage { id: CanId::extended(0x0CF101A7), name: "VCU1", node: Node::Vcu, len: 8, cycle_ms: 20, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: true, vital: true },
+    RxMessage { id: CanId::extended(0x0CF103A7), name: "VCU3", node: Node::Vcu, len: 8, cycle_ms: 100, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x0CF1064A), name: "VCU7", node: Node::Vcu, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x1429FF9B), name: "AirPump", node: Node::Compressor, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x142CFF98), name: "DCDC", node: Node::Dcdc, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x142FFF95), name: "SteeringPump", node: Node::Steering, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x18F11FF0), name: "IPU1", node: Node::Inverter, len: 8, cycle_ms: 100, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0xF0 }), checksum: None, expected: false, vital: true },
+    RxMessage { id: CanId::extended(0x18F120F0), name: "IPU2", node: Node::Inverter, len: 8, cycle_ms: 100, timeout_ms: 500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x18F121F0), name: "IPU3", node: Node::Inverter, len: 8, cycle_ms: 100, timeout_ms: 500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x18F13DF3), name: "BMS1", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: true, vital: true },
+    RxMessage { id: CanId::extended(0x18F13EF3), name: "BMS2", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x18F140F3), name: "BMS4", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x18F141F3), name: "BMS5", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: Some(Life { byte: 6, mask: 0xFF }), checksum: None, expected: true, vital: true },
+    RxMessage { id: CanId::extended(0x18F142F3), name: "BMS6", node: Node::Bms, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x18F143F3), name: "BMS7", node: Node::Bms, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x18F144F3), name: "BMS8", node: Node::Bms, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x18F146F3), name: "BMS10", node: Node::Bms, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x18F148F3), name: "BMS12", node: Node::Bms, len: 8, cycle_ms: 3000, timeout_ms: 15000, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x18F746E5), name: "Insulation", node: Node::Insulation, len: 8, cycle_ms: 1000, timeout_ms: 15000, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x18FFC09E), name: "HVAC", node: Node::Hvac, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: Some(Life { byte: 7, mask: 0xFF }), checksum: None, expected: false, vital: false },
 ];
 
 static TX: &[TxMessage] = &[
@@ -6538,68 +6538,156 @@ fn decode_vcu1(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Vcu1(*data);
     let raw = frame.vehicle_speed_raw();
     readings.put(source, Value::VehicleSpeed, raw as i32, raw <= 51200);
-    let state = STATES_0[(frame.gear_raw() & 15) as usize];
-    readings.put(source, Value::VehicleGear, state, state != INVALID);
-    let state = STATES_1[(frame.drive_mode_raw() & 3) as usize];
-    readings.put(source, Value::VehicleMode, state, state != INVALID);
-    let raw = frame.ready_raw();
-    readings.put(source, Value::VehicleReady, raw as i32, true);
-    let raw = frame.system_fault_raw();
-    readings.put(source, Value::VehicleFault, raw as i32, true);
-    let raw = frame.power_limited_raw();
-    readings.put(source, Value::VehiclePowerLimited, raw as i32, true);
-    let raw = frame.torque_limited_raw();
-    readings.put(source, Value::VehicleTorqueLimited, raw as i32, true);
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleGear, 0, false);
+    } else {
+        let state = STATES_0[(frame.gear_raw() & 15) as usize];
+        readings.put(source, Value::VehicleGear, state, state != INVALID);
+    }
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleMode, 0, false);
+    } else {
+        let state = STATES_1[(frame.drive_mode_raw() & 3) as usize];
+        readings.put(source, Value::VehicleMode, state, state != INVALID);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleReady, 0, false);
+    } else {
+        let raw = frame.ready_raw();
+        readings.put(source, Value::VehicleReady, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleFault, 0, false);
+    } else {
+        let raw = frame.system_fault_raw();
+        readings.put(source, Value::VehicleFault, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::VehiclePowerLimited, 0, false);
+    } else {
+        let raw = frame.power_limited_raw();
+        readings.put(source, Value::VehiclePowerLimited, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleTorqueLimited, 0, false);
+    } else {
+        let raw = frame.torque_limited_raw();
+        readings.put(source, Value::VehicleTorqueLimited, raw as i32, true);
+    }
     let raw = frame.accelerator_pedal_raw();
     readings.put(source, Value::VehicleAccelerator, (raw as i32) * 4, raw <= 250);
     let raw = frame.brake_pedal_raw();
     readings.put(source, Value::VehicleBrake, (raw as i32) * 4, raw <= 250);
-    let raw = frame.foot_brake_raw();
-    readings.put(source, Value::VehicleFootBrake, raw as i32, true);
-    let raw = frame.handbrake_raw();
-    readings.put(source, Value::VehicleParkingBrake, raw as i32, true);
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleFootBrake, 0, false);
+    } else {
+        let raw = frame.foot_brake_raw();
+        readings.put(source, Value::VehicleFootBrake, raw as i32, true);
+    }
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleParkingBrake, 0, false);
+    } else {
+        let raw = frame.handbrake_raw();
+        readings.put(source, Value::VehicleParkingBrake, raw as i32, true);
+    }
 }
 
 fn decode_vcu3(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Vcu3(*data);
-    let raw = frame.hv_command_raw();
-    readings.put(source, Value::VehicleHvCommand, raw as i32, raw <= 1);
-    let raw = frame.hv_cutoff_raw();
-    readings.put(source, Value::RelayCutoff, raw as i32, true);
-    let raw = frame.precharge_relay_raw();
-    readings.put(source, Value::RelayPrecharge, raw as i32, true);
-    let raw = frame.motor_relay_raw();
-    readings.put(source, Value::RelayMotor, raw as i32, true);
-    let raw = frame.accessory_relay_raw();
-    readings.put(source, Value::RelayAccessory, raw as i32, true);
-    let raw = frame.accessory_precharge_relay_raw();
-    readings.put(source, Value::RelayAccessoryPrecharge, raw as i32, true);
-    let raw = frame.defrost_relay_raw();
-    readings.put(source, Value::RelayDefrost, raw as i32, true);
-    let raw = frame.charge_relay_raw();
-    readings.put(source, Value::RelayCharge, raw as i32, true);
-    let raw = frame.battery_relay_raw();
-    readings.put(source, Value::RelayBattery, raw as i32, true);
+    if matches!(frame.0[1], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleHvCommand, 0, false);
+    } else {
+        let raw = frame.hv_command_raw();
+        readings.put(source, Value::VehicleHvCommand, raw as i32, raw <= 1);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayCutoff, 0, false);
+    } else {
+        let raw = frame.hv_cutoff_raw();
+        readings.put(source, Value::RelayCutoff, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayPrecharge, 0, false);
+    } else {
+        let raw = frame.precharge_relay_raw();
+        readings.put(source, Value::RelayPrecharge, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayMotor, 0, false);
+    } else {
+        let raw = frame.motor_relay_raw();
+        readings.put(source, Value::RelayMotor, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayAccessory, 0, false);
+    } else {
+        let raw = frame.accessory_relay_raw();
+        readings.put(source, Value::RelayAccessory, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayAccessoryPrecharge, 0, false);
+    } else {
+        let raw = frame.accessory_precharge_relay_raw();
+        readings.put(source, Value::RelayAccessoryPrecharge, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayDefrost, 0, false);
+    } else {
+        let raw = frame.defrost_relay_raw();
+        readings.put(source, Value::RelayDefrost, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayCharge, 0, false);
+    } else {
+        let raw = frame.charge_relay_raw();
+        readings.put(source, Value::RelayCharge, raw as i32, true);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::RelayBattery, 0, false);
+    } else {
+        let raw = frame.battery_relay_raw();
+        readings.put(source, Value::RelayBattery, raw as i32, true);
+    }
 }
 
 fn decode_vcu7(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Vcu7(*data);
-    let raw = frame.fault_level_raw();
-    readings.put(source, Value::VehicleFaultLevel, raw as i32, raw <= 3);
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::VehicleFaultLevel, 0, false);
+    } else {
+        let raw = frame.fault_level_raw();
+        readings.put(source, Value::VehicleFaultLevel, raw as i32, raw <= 3);
+    }
     let raw = frame.dtc_raw();
-    readings.put(source, Value::VehicleFaultCode, raw as i32, true);
-    let raw = frame.compressor_over_temperature_raw();
-    readings.put(source, Value::CompressorHot, raw as i32, true);
-    let raw = frame.dryer_pressure_switch_raw();
-    readings.put(source, Value::CompressorDryerSwitch, raw as i32, true);
+    readings.put(source, Value::VehicleFaultCode, raw as i32, raw != 65535);
+    if matches!(frame.0[4], 0xFF | 0xFE) {
+        readings.put(source, Value::CompressorHot, 0, false);
+    } else {
+        let raw = frame.compressor_over_temperature_raw();
+        readings.put(source, Value::CompressorHot, raw as i32, true);
+    }
+    if matches!(frame.0[4], 0xFF | 0xFE) {
+        readings.put(source, Value::CompressorDryerSwitch, 0, false);
+    } else {
+        let raw = frame.dryer_pressure_switch_raw();
+        readings.put(source, Value::CompressorDryerSwitch, raw as i32, true);
+    }
 }
 
 fn decode_air_pump(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = AirPump(*data);
-    let raw = frame.status_raw();
-    readings.put(source, Value::CompressorState, raw as i32, raw <= 2);
-    let raw = frame.fault_code_raw();
-    readings.put(source, Value::CompressorFaultCode, raw as i32, true);
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::CompressorState, 0, false);
+    } else {
+        let raw = frame.status_raw();
+        readings.put(source, Value::CompressorState, raw as i32, raw <= 2);
+    }
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::CompressorFaultCode, 0, false);
+    } else {
+        let raw = frame.fault_code_raw();
+        readings.put(source, Value::CompressorFaultCode, raw as i32, true);
+    }
     let raw = frame.motor_speed_raw();
     readings.put(source, Value::CompressorSpeed, (raw as i32) >> 3, raw <= 40000);
     let raw = frame.controller_temperature_raw();
@@ -6608,10 +6696,18 @@ fn decode_air_pump(source: u8, data: &[u8; 8], readings: &mut Readings) {
 
 fn decode_dcdc(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Dcdc(*data);
-    let raw = frame.status_raw();
-    readings.put(source, Value::DcdcState, raw as i32, raw <= 2);
-    let raw = frame.fault_code_raw();
-    readings.put(source, Value::DcdcFaultCode, raw as i32, true);
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::DcdcState, 0, false);
+    } else {
+        let raw = frame.status_raw();
+        readings.put(source, Value::DcdcState, raw as i32, raw <= 2);
+    }
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::DcdcFaultCode, 0, false);
+    } else {
+        let raw = frame.fault_code_raw();
+        readings.put(source, Value::DcdcFaultCode, raw as i32, true);
+    }
     let raw = frame.output_voltage_raw();
     readings.put(source, Value::DcdcOutput, (raw as i32) * 10, raw <= 254);
     let raw = frame.controller_temperature_raw();
@@ -6624,10 +6720,18 @@ fn decode_dcdc(source: u8, data: &[u8; 8], readings: &mut Readings) {
 
 fn decode_steering_pump(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = SteeringPump(*data);
-    let raw = frame.status_raw();
-    readings.put(source, Value::SteeringState, raw as i32, raw <= 2);
-    let raw = frame.fault_code_raw();
-    readings.put(source, Value::SteeringFaultCode, raw as i32, true);
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::SteeringState, 0, false);
+    } else {
+        let raw = frame.status_raw();
+        readings.put(source, Value::SteeringState, raw as i32, raw <= 2);
+    }
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::SteeringFaultCode, 0, false);
+    } else {
+        let raw = frame.fault_code_raw();
+        readings.put(source, Value::SteeringFaultCode, raw as i32, true);
+    }
     let raw = frame.motor_speed_raw();
     readings.put(source, Value::SteeringSpeed, (raw as i32) >> 3, raw <= 40000);
     let raw = frame.controller_temperature_raw();
@@ -6656,12 +6760,20 @@ fn decode_ipu2(source: u8, data: &[u8; 8], readings: &mut Readings) {
 
 fn decode_ipu3(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Ipu3(*data);
-    let state = match frame.status_raw() { 0 => 0, 2 => 0, 5 => 1, _ => 0 };
-    readings.put(source, Value::MotorFault, state, state != INVALID);
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::MotorFault, 0, false);
+    } else {
+        let state = match frame.status_raw() { 0 => 0, 2 => 0, 5 => 1, _ => 0 };
+        readings.put(source, Value::MotorFault, state, state != INVALID);
+    }
     let raw = frame.fault_code_raw();
-    readings.put(source, Value::MotorFaultCode, raw as i32, true);
-    let state = match frame.status_raw() { 0 => 0, 2 => 1, 5 => 2, _ => INVALID };
-    readings.put(source, Value::MotorState, state, state != INVALID);
+    readings.put(source, Value::MotorFaultCode, raw as i32, raw != 255);
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::MotorState, 0, false);
+    } else {
+        let state = match frame.status_raw() { 0 => 0, 2 => 1, 5 => 2, _ => INVALID };
+        readings.put(source, Value::MotorState, state, state != INVALID);
+    }
 }
 
 fn decode_bms1(source: u8, data: &[u8; 8], readings: &mut Readings) {
@@ -6672,20 +6784,48 @@ fn decode_bms1(source: u8, data: &[u8; 8], readings: &mut Readings) {
     readings.put(source, Value::BatteryCurrent, raw as i32 - 10000, raw <= 20000);
     let raw = frame.soc_raw();
     readings.put(source, Value::BatterySoc, (raw as i32) * 4, raw <= 250);
-    let raw = frame.check_state_raw();
-    readings.put(source, Value::BatteryState, raw as i32, raw <= 4);
-    let state = STATES_2[(frame.hv_open_request_raw() & 3) as usize];
-    readings.put(source, Value::BatteryHvOffRequest, state, state != INVALID);
-    let state = STATES_3[(frame.fault_level_raw() & 7) as usize];
-    readings.put(source, Value::BatteryFaultLevel, state, state != INVALID);
-    let state = STATES_4[(frame.main_relay_raw() & 3) as usize];
-    readings.put(source, Value::ContactorMain, state, state != INVALID);
-    let state = STATES_4[(frame.charge_1_relay_raw() & 3) as usize];
-    readings.put(source, Value::ContactorCharge1, state, state != INVALID);
-    let state = STATES_4[(frame.charge_2_relay_raw() & 3) as usize];
-    readings.put(source, Value::ContactorCharge2, state, state != INVALID);
-    let state = STATES_4[(frame.heater_relay_raw() & 3) as usize];
-    readings.put(source, Value::ContactorHeater, state, state != INVALID);
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::BatteryState, 0, false);
+    } else {
+        let raw = frame.check_state_raw();
+        readings.put(source, Value::BatteryState, raw as i32, raw <= 4);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::BatteryHvOffRequest, 0, false);
+    } else {
+        let state = STATES_2[(frame.hv_open_request_raw() & 3) as usize];
+        readings.put(source, Value::BatteryHvOffRequest, state, state != INVALID);
+    }
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::BatteryFaultLevel, 0, false);
+    } else {
+        let state = STATES_3[(frame.fault_level_raw() & 7) as usize];
+        readings.put(source, Value::BatteryFaultLevel, state, state != INVALID);
+    }
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::ContactorMain, 0, false);
+    } else {
+        let state = STATES_4[(frame.main_relay_raw() & 3) as usize];
+        readings.put(source, Value::ContactorMain, state, state != INVALID);
+    }
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::ContactorCharge1, 0, false);
+    } else {
+        let state = STATES_4[(frame.charge_1_relay_raw() & 3) as usize];
+        readings.put(source, Value::ContactorCharge1, state, state != INVALID);
+    }
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::ContactorCharge2, 0, false);
+    } else {
+        let state = STATES_4[(frame.charge_2_relay_raw() & 3) as usize];
+        readings.put(source, Value::ContactorCharge2, state, state != INVALID);
+    }
+    if matches!(frame.0[7], 0xFF | 0xFE) {
+        readings.put(source, Value::ContactorHeater, 0, false);
+    } else {
+        let state = STATES_4[(frame.heater_relay_raw() & 3) as usize];
+        readings.put(source, Value::ContactorHeater, state, state != INVALID);
+    }
 }
 
 fn decode_bms2(source: u8, data: &[u8; 8], readings: &mut Readings) {
@@ -6717,13 +6857,25 @@ fn decode_bms4(source: u8, data: &[u8; 8], readings: &mut Readings) {
 fn decode_bms5(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Bms5(*data);
     let raw = frame.fault_code_raw();
-    readings.put(source, Value::BatteryFaultCode, raw as i32, true);
-    let raw = frame.balancing_raw();
-    readings.put(source, Value::BatteryBalancing, raw as i32, true);
-    let raw = frame.charge_state_raw();
-    readings.put(source, Value::ChargeState, raw as i32, raw <= 3);
-    let state = match frame.plug_state_raw() { 85 => 1, 170 => 0, _ => INVALID };
-    readings.put(source, Value::ChargePlug, state, state != INVALID);
+    readings.put(source, Value::BatteryFaultCode, raw as i32, raw != 255);
+    if matches!(frame.0[3], 0xFF | 0xFE) {
+        readings.put(source, Value::BatteryBalancing, 0, false);
+    } else {
+        let raw = frame.balancing_raw();
+        readings.put(source, Value::BatteryBalancing, raw as i32, true);
+    }
+    if matches!(frame.0[2], 0xFF | 0xFE) {
+        readings.put(source, Value::ChargeState, 0, false);
+    } else {
+        let raw = frame.charge_state_raw();
+        readings.put(source, Value::ChargeState, raw as i32, raw <= 3);
+    }
+    if matches!(frame.0[4], 0xFF | 0xFE) {
+        readings.put(source, Value::ChargePlug, 0, false);
+    } else {
+        let state = match frame.plug_state_raw() { 85 => 1, 170 => 0, _ => INVALID };
+        readings.put(source, Value::ChargePlug, state, state != INVALID);
+    }
     let raw = frame.charge_interval_raw();
     readings.put(source, Value::ChargeInterval, raw as i32, raw <= 254);
 }
@@ -6766,41 +6918,81 @@ fn decode_bms12(source: u8, data: &[u8; 8], readings: &mut Readings) {
 
 fn decode_insulation(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Insulation(*data);
-    let worst = STATES_5[(frame.leakage_level_raw() & 7) as usize];
-    let worst = i32::max(worst, STATES_6[(frame.level_1_alarm_raw() & 1) as usize]);
-    let worst = i32::max(worst, STATES_7[(frame.level_2_alarm_raw() & 1) as usize]);
-    readings.put(source, Value::InsulationLevel, worst, worst != INVALID);
-    let set = frame.0[6] & 0x0C != 0;
-    readings.put(source, Value::InsulationFault, set as i32, true);
+    let worst = if matches!(frame.0[0], 0xFF | 0xFE) { INVALID } else { STATES_5[(frame.leakage_level_raw() & 7) as usize] };
+    let worst = i32::max(worst, if matches!(frame.0[6], 0xFF | 0xFE) { INVALID } else { STATES_6[(frame.level_1_alarm_raw() & 1) as usize] });
+    let worst = i32::max(worst, if matches!(frame.0[6], 0xFF | 0xFE) { INVALID } else { STATES_7[(frame.level_2_alarm_raw() & 1) as usize] });
+    readings.put(source, Value::InsulationLevel, worst, worst > 0 || worst != INVALID && !(matches!(frame.0[0], 0xFF | 0xFE) || matches!(frame.0[6], 0xFF | 0xFE)));
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::InsulationFault, 0, false);
+    } else {
+        let set = frame.0[6] & 0x0C != 0;
+        readings.put(source, Value::InsulationFault, set as i32, true);
+    }
     let raw = frame.positive_resistance_raw();
     readings.put(source, Value::InsulationPositive, raw as i32, raw <= 65534);
     let raw = frame.negative_resistance_raw();
     readings.put(source, Value::InsulationNegative, raw as i32, raw <= 65534);
     let raw = frame.fault_code_raw();
-    readings.put(source, Value::InsulationFaultCode, raw as i32, true);
-    let set = frame.0[6] & 0x30 != 0;
-    readings.put(source, Value::InsulationDeviceFault, set as i32, true);
+    readings.put(source, Value::InsulationFaultCode, raw as i32, raw != 255);
+    if matches!(frame.0[6], 0xFF | 0xFE) {
+        readings.put(source, Value::InsulationDeviceFault, 0, false);
+    } else {
+        let set = frame.0[6] & 0x30 != 0;
+        readings.put(source, Value::InsulationDeviceFault, set as i32, true);
+    }
 }
 
 fn decode_hvac(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Hvac(*data);
-    let raw = frame.fan_low_raw();
-    readings.put(source, Value::HvacOn, raw as i32, true);
-    let set = frame.0[2] & 0xA0 != 0;
-    readings.put(source, Value::HvacCooling, set as i32, true);
-    let raw = frame.heating_raw();
-    readings.put(source, Value::HvacHeating, raw as i32, true);
-    let set = frame.0[2] & 0x12 != 0;
-    readings.put(source, Value::HvacDefrosting, set as i32, true);
-    let worst = STATES_6[(frame.fan_mid_raw() & 1) as usize];
-    let worst = i32::max(worst, STATES_8[(frame.fan_high_raw() & 1) as usize]);
-    readings.put(source, Value::HvacFan, worst, worst != INVALID);
-    let raw = frame.fresh_air_raw();
-    readings.put(source, Value::HvacFreshAir, raw as i32, true);
-    let raw = frame.sterilise_raw();
-    readings.put(source, Value::HvacSterilising, raw as i32, true);
-    let set = frame.0[0] != 0;
-    readings.put(source, Value::HvacFault, set as i32, true);
+    if matches!(frame.0[1], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacOn, 0, false);
+    } else {
+        let raw = frame.fan_low_raw();
+        readings.put(source, Value::HvacOn, raw as i32, true);
+    }
+    if matches!(frame.0[2], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacCooling, 0, false);
+    } else {
+        let set = frame.0[2] & 0xA0 != 0;
+        readings.put(source, Value::HvacCooling, set as i32, true);
+    }
+    if matches!(frame.0[2], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacHeating, 0, false);
+    } else {
+        let raw = frame.heating_raw();
+        readings.put(source, Value::HvacHeating, raw as i32, true);
+    }
+    if matches!(frame.0[2], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacDefrosting, 0, false);
+    } else {
+        let set = frame.0[2] & 0x12 != 0;
+        readings.put(source, Value::HvacDefrosting, set as i32, true);
+    }
+    if matches!(frame.0[1], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacFan, 0, false);
+    } else {
+        let worst = STATES_6[(frame.fan_mid_raw() & 1) as usize];
+        let worst = i32::max(worst, STATES_8[(frame.fan_high_raw() & 1) as usize]);
+        readings.put(source, Value::HvacFan, worst, worst != INVALID);
+    }
+    if matches!(frame.0[2], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacFreshAir, 0, false);
+    } else {
+        let raw = frame.fresh_air_raw();
+        readings.put(source, Value::HvacFreshAir, raw as i32, true);
+    }
+    if matches!(frame.0[2], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacSterilising, 0, false);
+    } else {
+        let raw = frame.sterilise_raw();
+        readings.put(source, Value::HvacSterilising, raw as i32, true);
+    }
+    if matches!(frame.0[0], 0xFF | 0xFE) {
+        readings.put(source, Value::HvacFault, 0, false);
+    } else {
+        let set = frame.0[0] != 0;
+        readings.put(source, Value::HvacFault, set as i32, true);
+    }
     let raw = frame.cabin_temperature_raw();
     readings.put(source, Value::HvacInside, raw as i32 - 40, raw <= 250);
     let raw = frame.outside_temperature_raw();
@@ -6863,7 +7055,7 @@ fn encode_meter1(values: &Readings) -> [u8; 8] {
     let frame = frame.with_rear_hatch_raw(codec::known(values, Value::BodyDoorHatch).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_handbrake_raw(codec::known(values, Value::BodyParkingBrake).map_or(0, |state| (state != 0) as u8));
     let frame = frame.with_smoke_alarm_raw(codec::known(values, Value::BodySmoke).map_or(0, |state| (state != 0) as u8));
-    let frame = frame.with_key_position_raw(match codec::known(values, Value::BodyKey) { Some(0) => 0, Some(1) => 2, Some(2) => 1, Some(3) => 3, _ => 0 });
+    let frame = frame.with_key_position_raw(match codec::known(values, Value::BodyKey) { Some(0) => 0, Some(1) => 2, Some(2) => 1, Some(3) => 3, _ => 1 });
     let frame = frame.with_front_air_pressure_raw(codec::known(values, Value::AirFront).map_or(255, |number| codec::scaled(number, 1, 0, 1, 0, 254) as u8));
     let frame = frame.with_rear_air_pressure_raw(codec::known(values, Value::AirRear).map_or(255, |number| codec::scaled(number, 1, 0, 1, 0, 254) as u8));
     let frame = frame.with_low_beam_raw(codec::known(values, Value::BodyLowBeam).map_or(0, |state| (state != 0) as u8));
@@ -6882,7 +7074,7 @@ fn encode_meter1(values: &Readings) -> [u8; 8] {
 
 fn encode_meter2(values: &Readings) -> [u8; 8] {
     let frame = Meter2::new();
-    let frame = frame.with_odometer_raw(codec::known(values, Value::ClusterOdometer).map_or(0, |number| codec::scaled(number, 1, 0, 1, 0, 4294967294) as u32));
+    let frame = frame.with_odometer_raw(codec::known(values, Value::ClusterOdometer).map_or(4294967295, |number| codec::scaled(number, 1, 0, 1, 0, 4294967294) as u32));
     frame.0
 }
 
@@ -6901,6 +7093,7 @@ pub static VEHICLE: Vehicle = Vehicle {
     en: "Electric bus",
     bitrate: 250000,
     worst_level: 3,
+    rules: Rules { hv_off: Some(HvOffRule { vehicle_ms: 5000, battery_ms: 35000 }), limp: Some(LimpRule { silence_ms: 5000, most_deciamps: 600, deciamps_per_ah: 3 }), charger_loss_ms: None, hvac_loss_ms: Some(10000), buzzer_ms: None },
     rx: RX,
     decode,
     streams: STREAMS,

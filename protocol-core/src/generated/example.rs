@@ -7,7 +7,7 @@ use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalIn
 use crate::frame::CanId;
 use crate::model::{INVALID, Readings, Severity, Value};
 use crate::stream::{Bound, Cell, Stream};
-use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};
 
 /// Identifiers.
 pub mod id {
@@ -1066,11 +1066,11 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::standard(0x120), name: "Drive", node: Node::Vcu, len: 8, timeout_ms: 500, life: Some(Life { byte: 6, mask: 0x0F }), checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true },
-    RxMessage { id: CanId::standard(0x128), name: "Motor", node: Node::Inverter, len: 8, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Sum8 }), expected: true },
-    RxMessage { id: CanId::standard(0x240), name: "Pack", node: Node::Bms, len: 8, timeout_ms: 500, life: Some(Life { byte: 6, mask: 0x0F }), checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true },
-    RxMessage { id: CanId::standard(0x248), name: "PackDetails", node: Node::Bms, len: 8, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true },
-    RxMessage { id: CanId::standard(0x350), name: "Converter", node: Node::Dcdc, len: 6, timeout_ms: 1000, life: None, checksum: Some(Checksum { byte: 5, len: 6, kind: ChecksumKind::Xor8 }), expected: true },
+    RxMessage { id: CanId::standard(0x120), name: "Drive", node: Node::Vcu, len: 8, cycle_ms: 20, timeout_ms: 500, life: Some(Life { byte: 6, mask: 0x0F }), checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true, vital: false },
+    RxMessage { id: CanId::standard(0x128), name: "Motor", node: Node::Inverter, len: 8, cycle_ms: 50, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Sum8 }), expected: true, vital: false },
+    RxMessage { id: CanId::standard(0x240), name: "Pack", node: Node::Bms, len: 8, cycle_ms: 100, timeout_ms: 500, life: Some(Life { byte: 6, mask: 0x0F }), checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true, vital: false },
+    RxMessage { id: CanId::standard(0x248), name: "PackDetails", node: Node::Bms, len: 8, cycle_ms: 100, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Crc8SaeJ1850 }), expected: true, vital: false },
+    RxMessage { id: CanId::standard(0x350), name: "Converter", node: Node::Dcdc, len: 6, cycle_ms: 200, timeout_ms: 1000, life: None, checksum: Some(Checksum { byte: 5, len: 6, kind: ChecksumKind::Xor8 }), expected: true, vital: false },
 ];
 
 static TX: &[TxMessage] = &[
@@ -1234,6 +1234,7 @@ pub static VEHICLE: Vehicle = Vehicle {
     en: "Example vehicle",
     bitrate: 500000,
     worst_level: 3,
+    rules: Rules::NONE,
     rx: RX,
     decode,
     streams: STREAMS,

@@ -7,7 +7,7 @@ use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalIn
 use crate::frame::CanId;
 use crate::model::{INVALID, Readings, Severity, Value};
 use crate::stream::{Bound, Cell, Stream};
-use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};
 
 /// Identifiers.
 pub mod id {
@@ -3768,17 +3768,17 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::extended(0x180028E5), name: "Charger", node: Node::Charger, len: 8, timeout_ms: 5000, life: Some(Life { byte: 0, mask: 0xFF }), checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x180228D0), name: "VCU1", node: Node::Vcu, len: 8, timeout_ms: 2500, life: Some(Life { byte: 0, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x180228F3), name: "BMSStatus", node: Node::Bms, len: 8, timeout_ms: 2500, life: Some(Life { byte: 5, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x180328D0), name: "VCU2", node: Node::Vcu, len: 8, timeout_ms: 2500, life: Some(Life { byte: 0, mask: 0xFF }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x180428D0), name: "VCU3", node: Node::Vcu, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x180428F3), name: "ModuleTemperatures1", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x180528D0), name: "VCU4", node: Node::Vcu, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x181B28F3), name: "BMSFaults", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x181C28F3), name: "BMSExtremes", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x181D28F3), name: "BMSExtremePositions", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: false },
-    RxMessage { id: CanId::extended(0x18E628F3), name: "CellVoltages1", node: Node::Bms, len: 8, timeout_ms: 2500, life: None, checksum: None, expected: false },
+    RxMessage { id: CanId::extended(0x180028E5), name: "Charger", node: Node::Charger, len: 8, cycle_ms: 1000, timeout_ms: 5000, life: Some(Life { byte: 0, mask: 0xFF }), checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x180228D0), name: "VCU1", node: Node::Vcu, len: 8, cycle_ms: 500, timeout_ms: 2500, life: Some(Life { byte: 0, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x180228F3), name: "BMSStatus", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: Some(Life { byte: 5, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x180328D0), name: "VCU2", node: Node::Vcu, len: 8, cycle_ms: 500, timeout_ms: 2500, life: Some(Life { byte: 0, mask: 0xFF }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x180428D0), name: "VCU3", node: Node::Vcu, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x180428F3), name: "ModuleTemperatures1", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x180528D0), name: "VCU4", node: Node::Vcu, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x181B28F3), name: "BMSFaults", node: Node::Bms, len: 8, cycle_ms: 100, timeout_ms: 2500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x181C28F3), name: "BMSExtremes", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x181D28F3), name: "BMSExtremePositions", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: false, vital: false },
+    RxMessage { id: CanId::extended(0x18E628F3), name: "CellVoltages1", node: Node::Bms, len: 8, cycle_ms: 500, timeout_ms: 2500, life: None, checksum: None, expected: false, vital: false },
 ];
 
 static TX: &[TxMessage] = &[
@@ -4199,6 +4199,7 @@ pub static VEHICLE: Vehicle = Vehicle {
     en: "Jiulong electric bus",
     bitrate: 250000,
     worst_level: 1,
+    rules: Rules::NONE,
     rx: RX,
     decode,
     streams: STREAMS,

@@ -7,7 +7,7 @@ use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalIn
 use crate::frame::CanId;
 use crate::model::{INVALID, Readings, Severity, Value};
 use crate::stream::{Bound, Cell, Stream};
-use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};
 
 /// Identifiers.
 pub mod id {
@@ -642,8 +642,8 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::standard(0x064), name: "Plain", node: Node::Vcu, len: 8, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0x0F }), checksum: None, expected: true },
-    RxMessage { id: CanId::extended(0x18FEC9FF), name: "Wide", node: Node::Vcu, len: 8, timeout_ms: 1234, life: None, checksum: None, expected: false },
+    RxMessage { id: CanId::standard(0x064), name: "Plain", node: Node::Vcu, len: 8, cycle_ms: 40, timeout_ms: 500, life: Some(Life { byte: 7, mask: 0x0F }), checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::extended(0x18FEC9FF), name: "Wide", node: Node::Vcu, len: 8, cycle_ms: 40, timeout_ms: 1234, life: None, checksum: None, expected: false, vital: false },
 ];
 
 static TX: &[TxMessage] = &[
@@ -736,6 +736,7 @@ pub static VEHICLE: Vehicle = Vehicle {
     en: "Torture",
     bitrate: 500000,
     worst_level: 3,
+    rules: Rules::NONE,
     rx: RX,
     decode,
     streams: STREAMS,

@@ -7,7 +7,7 @@ use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalIn
 use crate::frame::CanId;
 use crate::model::{INVALID, Readings, Severity, Value};
 use crate::stream::{Bound, Cell, Stream};
-use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};
 
 /// Identifiers.
 pub mod id {
@@ -329,9 +329,9 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::standard(0x120), name: "InverterStatus", node: Node::Inverter, len: 8, timeout_ms: 1000, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::standard(0x240), name: "type", node: Node::Bms, len: 6, timeout_ms: 500, life: None, checksum: None, expected: true },
-    RxMessage { id: CanId::standard(0x601), name: "SocOnRequest", node: Node::Bms, len: 2, timeout_ms: 700, life: None, checksum: None, expected: true },
+    RxMessage { id: CanId::standard(0x120), name: "InverterStatus", node: Node::Inverter, len: 8, cycle_ms: 20, timeout_ms: 1000, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::standard(0x240), name: "type", node: Node::Bms, len: 6, cycle_ms: 100, timeout_ms: 500, life: None, checksum: None, expected: true, vital: false },
+    RxMessage { id: CanId::standard(0x601), name: "SocOnRequest", node: Node::Bms, len: 2, cycle_ms: 0, timeout_ms: 700, life: None, checksum: None, expected: true, vital: false },
 ];
 
 static TX: &[TxMessage] = &[
@@ -419,6 +419,7 @@ pub static VEHICLE: Vehicle = Vehicle {
     en: "Conversion",
     bitrate: 500000,
     worst_level: 3,
+    rules: Rules::NONE,
     rx: RX,
     decode,
     streams: STREAMS,

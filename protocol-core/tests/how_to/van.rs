@@ -7,7 +7,7 @@ use crate::codec::{self, Got, LifeKind, MessageInfo, Mux, Order, Scale, SignalIn
 use crate::frame::CanId;
 use crate::model::{INVALID, Readings, Severity, Value};
 use crate::stream::{Bound, Cell, Stream};
-use crate::vehicle::{FaultText, Life, Node, NodeName, RxMessage, TxMessage, Vehicle};
+use crate::vehicle::{FaultText, HvOffRule, Life, LimpRule, Node, NodeName, Rules, RxMessage, TxMessage, Vehicle};
 
 /// Identifiers.
 pub mod id {
@@ -224,7 +224,7 @@ pub static MESSAGES: &[MessageInfo] = &[
 ];
 
 static RX: &[RxMessage] = &[
-    RxMessage { id: CanId::standard(0x321), name: "Status", node: Node::Vcu, len: 8, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Xor8 }), expected: true },
+    RxMessage { id: CanId::standard(0x321), name: "Status", node: Node::Vcu, len: 8, cycle_ms: 50, timeout_ms: 500, life: None, checksum: Some(Checksum { byte: 7, len: 8, kind: ChecksumKind::Xor8 }), expected: true, vital: false },
 ];
 
 static TX: &[TxMessage] = &[
@@ -294,6 +294,7 @@ pub static VEHICLE: Vehicle = Vehicle {
     en: "Electric van",
     bitrate: 500000,
     worst_level: 3,
+    rules: Rules::NONE,
     rx: RX,
     decode,
     streams: STREAMS,

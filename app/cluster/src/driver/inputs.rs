@@ -57,6 +57,12 @@ impl Contacts {
         self.0 & Self::bit(value) != 0
     }
 
+    /// Returns the contacts that are not among these.
+    pub fn others(self) -> Self {
+        let all = Self::closed(Self::ALL.iter().copied());
+        Self(all.0 & !self.0)
+    }
+
     fn bit(value: Value) -> u32 {
         Self::ALL.iter().position(|known| *known == value).map_or(0, |place| 1 << place)
     }
@@ -110,10 +116,12 @@ pub struct Controller {
 /// Everything that comes in without a bus.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Inputs {
-    /// Key position.
-    pub key: Key,
+    /// Key position; `None` = there is no key switch to ask.
+    pub key: Option<Key>,
     /// Contacts of the body.
     pub contacts: Contacts,
+    /// Contacts that have no wire: whether they are closed is not known.
+    pub unwired: Contacts,
     /// Low-voltage supply in 0.1 V; `None` = cannot be measured.
     pub supply_decivolts: Option<u16>,
     /// Front brake air reservoir in 0.01 MPa; `None` = no sensor, or one that is broken.
@@ -137,9 +145,12 @@ fn measured(value: Option<u16>) -> Reading {
 
 /// Files `inputs` as local values; what the vehicle sends on its bus has precedence over the own wire.
 pub(crate) fn file(inputs: &Inputs, readings: &mut Readings) {
-    let contacts = Contacts::ALL.iter().map(|&value| (value, flag(inputs.contacts.is_closed(value))));
+    let contacts = Contacts::ALL.iter().map(|&value| match inputs.unwired.is_closed(value) {
+        true => (value, Reading::Invalid),
+        false => (value, flag(inputs.contacts.is_closed(value))),
+    });
     let others = [
-        (Value::BodyKey, Reading::Valid(inputs.key.number())),
+        (Value::BodyKey, inputs.key.map_or(Reading::Invalid, |key| Reading::Valid(key.number()))),
         (Value::SupplyVoltage, measured(inputs.supply_decivolts)),
         (Value::AirFront, measured(inputs.air_front_centimpa)),
         (Value::AirRear, measured(inputs.air_rear_centimpa)),

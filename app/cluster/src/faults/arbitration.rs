@@ -295,7 +295,8 @@ impl Faults {
     pub(crate) fn limps(&self, vehicle: &Vehicle) -> bool {
         let limps = |fault: &Fault, by: &Reporter| {
             let explained = Named { fault: by.row.fault, stage: 0, code: fault.code }.explained(vehicle);
-            by.route.when == When::Limps || explained.is_some_and(|text| text.limps)
+            matches!(by.row.fault, FaultId::Limp | FaultId::LimpMode)
+                || explained.is_some_and(|text| text.limps)
         };
         self.active.iter().any(|fault| fault.reporter().is_some_and(|by| limps(fault, by)))
     }

@@ -10,7 +10,7 @@
 
 use crate::text::Text;
 use protocol_core::model::{Severity, Value};
-use protocol_core::states::Run;
+use protocol_core::states::{Mode, Run};
 use protocol_core::vehicle::Node;
 
 /// What makes a report.
@@ -379,6 +379,12 @@ faults! {
     /// The vehicle has not taken the gear that was asked for.
     ShiftFailed 34 "shift_failed", Turn(50), one("挂档失败", "Gear not engaged"), AsSevere, true:
         flag(V::VehicleShiftFailed, Always(Warn));
+    /// The vehicle reports limp mode; it does not say why.
+    LimpMode 35 "limp_mode", Turn(325), one("整车限功率行车模式", "Limp mode"), AsSevere, true:
+        Route::new(When::Is(V::VehicleMode, Mode::Limp.number()), Always(Derate));
+    /// The driver's seat is empty in a driving gear (BUS-R129).
+    DriverLeft 60 "driver_left", Turn(165), one("驾驶员离座 请换空挡", "Seat empty in gear: select N"), AsSevere, true:
+        flag(V::ClusterDriverLeft, Always(Warn));
     /// No communication with the vehicle controller: there is no speed, no gear and no fault report.
     SilentVcu 64 "silent_vcu", Turn(400), one("整车控制器通信中断", "No communication: VCU"), AsSevere, true:
         silent(Node::Vcu, Derate);
@@ -423,6 +429,11 @@ faults! {
     Identified 131 "identified", Beside, Words::Vehicle, Silent, false: own(Severity::None);
     /// No vehicle has been identified yet.
     Listening 132 "listening", Beside, one("总线监测中", "Listening for a vehicle"), Silent, false: own(Severity::None);
+    /// All that was heard of the vehicle has stopped: as bad as the silence that it stands for.
+    NoTraffic 133 "no_traffic", Beside, one("总线通信中断 检测线路", "No traffic: check the CAN wires"), Silent, false:
+        own(Derate);
+    /// One message comes from two senders.
+    TwoSenders 134 "two_senders", Beside, one("总线报文冲突", "One message, two senders"), Silent, false: own(Warn);
 }
 
 impl FaultId {

@@ -13,8 +13,9 @@
 //! | `outbox`           | which frames wait, which go when the bus takes none            |
 //! | `rota`             | which faults are reported to a PC in one round                 |
 //!
-//! Until the vehicle is known the cluster decodes no message and the frames received are kept; until it is certain
-//! nothing is sent. Refuses to know pins, controllers and clocks.
+//! Until the vehicle is known the cluster decodes no message and the frames received are kept; until it is certain, and
+//! while the bus contradicts it, nothing is sent. What a wrong vehicle has left goes with it: values, faults, distance,
+//! frames that wait. Refuses to know pins, controllers and clocks.
 
 pub mod bitrate;
 pub mod identification;
@@ -124,9 +125,11 @@ impl Instrument {
         *heard = true;
         let is_known = detector.found().is_some();
         if let Some(found) = detector.hear(frame, scan.bitrate(), at) {
+            self.outbox.clear();
             self.cluster.recognise(found.vehicle);
-            // This frame is the last of them.
-            return detector.take_kept().map(|(frame, at)| self.cluster.receive(&frame, at)).last();
+            // This frame is the last of them; in place of a certain vehicle it comes alone.
+            let last = detector.take_kept().map(|(frame, at)| self.cluster.receive(&frame, at)).last();
+            return last.or_else(|| Some(self.cluster.receive(frame, at)));
         }
         is_known.then(|| self.cluster.receive(frame, at))
     }
@@ -139,6 +142,10 @@ impl Instrument {
         let controller_missing = inputs.controller.is_some_and(|controller| controller.state.is_none());
         self.cluster.know(Conditions { controller_missing, restart: self.restart, search });
         self.cluster.tick(&Inputs { contacts: Contacts::of_bits(contacts), ..*inputs }, now);
+        self.access.may_send &= self.may_send(now);
+        if !self.access.may_send {
+            self.outbox.clear();
+        }
         // Cycles start when the controller may send: none of the first frames is lost, none comes out of step.
         while self.access.may_send
             && let Some(frame) = self.cluster.transmit(now)
@@ -152,9 +159,9 @@ impl Instrument {
         self.identification.as_ref().map(|search| search.detector.state(now))
     }
 
-    /// Returns whether the vehicle is certain.
-    fn may_send(&self) -> bool {
-        self.identification.as_ref().is_none_or(|search| search.detector.may_answer())
+    /// Returns whether the vehicle is certain, and not in doubt.
+    fn may_send(&self, now: Millis) -> bool {
+        self.identification.as_ref().is_none_or(|search| search.detector.may_answer(now))
     }
 
     /// Returns how the controller is to take part in the bus, as of the last [`Self::look`].
@@ -167,7 +174,7 @@ impl Instrument {
     /// `errors` tells whether a frame with an error was on the bus since it was asked last; it is asked only while no
     /// vehicle is known.
     pub fn look(&mut self, errors: impl FnOnce() -> bool, now: Millis) -> Access {
-        self.access.may_send = self.may_send();
+        self.access.may_send = self.may_send(now);
         if let Some(Identification { detector, scan, heard }) = &mut self.identification
             && detector.found().is_none()
         {

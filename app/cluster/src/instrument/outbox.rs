@@ -24,6 +24,11 @@ impl Outbox {
         let _ = self.0.push_back(frame);
     }
 
+    /// Lets all frames go.
+    pub(crate) fn clear(&mut self) {
+        self.0.clear();
+    }
+
     /// Offers the oldest frame; it goes if `take` takes it. Returns whether one has gone.
     pub(crate) fn offer(&mut self, take: impl FnOnce(&CanFrame) -> bool) -> bool {
         let is_taken = self.0.front().is_some_and(take);

@@ -8,9 +8,6 @@
 use protocol_core::Millis;
 use protocol_core::model::Shown;
 
-/// Silence of the charger that ends charging, in milliseconds.
-const LOSS_MS: u64 = 5_000;
-
 /// Since when the plug is inserted.
 #[derive(Clone, Copy)]
 pub(crate) struct Charger {
@@ -23,8 +20,14 @@ impl Charger {
         Self { plugged: None, is_lost: false }
     }
 
-    /// Takes the plug as it is now known and the charger's last sign of life.
-    pub(crate) fn observe(&mut self, plug: Shown<i32>, last_sign: Option<Millis>, now: Millis) {
+    /// Takes the plug as it is now known and the charger's last sign of life; `rule_ms` = silence that ends a charge.
+    pub(crate) fn observe(
+        &mut self,
+        rule_ms: Option<u32>,
+        plug: Shown<i32>,
+        last_sign: Option<Millis>,
+        now: Millis,
+    ) {
         match plug {
             Shown::Value(1) => self.plugged = self.plugged.or(Some(now)),
             Shown::Value(_) => self.plugged = None,
@@ -32,7 +35,8 @@ impl Charger {
         }
         let waits_from = self.plugged.zip(last_sign).map(|(plugged, last)| plugged.max(last));
         let is_plugged = plug == Shown::Value(1);
-        self.is_lost = is_plugged && waits_from.is_some_and(|from| now.since(from) >= LOSS_MS);
+        let silence = waits_from.map(|from| now.since(from)).zip(rule_ms);
+        self.is_lost = is_plugged && silence.is_some_and(|(silent_ms, most)| silent_ms >= u64::from(most));
     }
 
     /// Returns whether the charger has been silent for too long.
@@ -79,7 +83,7 @@ mod tests {
                     for heard in [false, true] {
                         let mut machine = machine;
                         let last_sign = if heard { Some(Millis(at)) } else { last_sign };
-                        machine.observe(plug, last_sign, Millis(at));
+                        machine.observe(Some(5_000), plug, last_sign, Millis(at));
                         let mut history = past.to_vec();
                         history.push(Moment { at, plug, heard });
                         assert_eq!(machine.is_lost(), stated(&history), "{history:?}");

@@ -8,17 +8,14 @@
 //! | contactor open    | [`Phase::Off`]       | nobody's; closed or unknown again: as the time has it |
 //!
 //! A withdrawal ends it, a further request starts anew. Silence withdraws nothing: the battery's clock runs on, and an
-//! open contactor is not believed from stale data.
+//! open contactor is not believed from stale data. The times are those of the bus document; a vehicle whose document
+//! prints none stays at [`Phase::Asked`], without a countdown.
 //! Source: BUS-R065, BUS-R076, BUS-R078; readings BUS-67 (exactly 11, by the vehicle's table) and BUS-68.
 
 use protocol_core::Millis;
 use protocol_core::model::Shown;
 use protocol_core::states::Contactor;
-
-/// The vehicle has this long to open the circuit, in milliseconds.
-const VEHICLE_MS: u64 = 5_000;
-/// The battery opens the circuit by itself after this long, in milliseconds.
-const BATTERY_MS: u64 = 35_000;
+use protocol_core::vehicle::HvOffRule;
 
 /// How far a request has come; in the order of the texts of `Words::Phases`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,13 +33,15 @@ pub(crate) enum Phase {
 /// A request and since when it stands.
 #[derive(Clone, Copy)]
 pub(crate) struct HvOff {
+    /// `None` = the vehicle's document prints no times: the request is asked for ever.
+    rule: Option<HvOffRule>,
     since: Option<Millis>,
     is_open: bool,
 }
 
 impl HvOff {
-    pub(crate) const fn new() -> Self {
-        Self { since: None, is_open: false }
+    pub(crate) const fn new(rule: Option<HvOffRule>) -> Self {
+        Self { rule, since: None, is_open: false }
     }
 
     /// Takes the request and the main contactor as they are now known.
@@ -58,19 +57,20 @@ impl HvOff {
     /// Returns how far the request has come; `None` = there is none.
     pub(crate) fn phase(&self, now: Millis) -> Option<Phase> {
         let age_ms = now.since(self.since?);
-        Some(match age_ms {
+        Some(match self.rule {
             _ if self.is_open => Phase::Off,
-            ..VEHICLE_MS => Phase::Asked,
-            VEHICLE_MS..BATTERY_MS => Phase::Overdue,
-            _ => Phase::Due,
+            Some(rule) if age_ms >= u64::from(rule.battery_ms) => Phase::Due,
+            Some(rule) if age_ms >= u64::from(rule.vehicle_ms) => Phase::Overdue,
+            _ => Phase::Asked,
         })
     }
 
     /// Returns the seconds until the battery opens the circuit, rounded up; `None` = nothing to wait for.
     pub(crate) fn countdown_s(&self, now: Millis) -> Option<u8> {
+        let battery_ms = u64::from(self.rule?.battery_ms);
         match self.phase(now)? {
             Phase::Asked | Phase::Overdue => {
-                let left_ms = BATTERY_MS - now.since(self.since?);
+                let left_ms = battery_ms.saturating_sub(now.since(self.since?));
                 u8::try_from(left_ms.div_ceil(1_000)).ok()
             }
             Phase::Due | Phase::Off => None,
@@ -83,6 +83,8 @@ mod tests {
     extern crate std;
     use super::*;
     use std::vec::Vec;
+
+    const BUS: Option<HvOffRule> = Some(HvOffRule { vehicle_ms: 5_000, battery_ms: 35_000 });
 
     /// What was known at one time.
     type Moment = (u64, Shown<i32>, Shown<i32>);
@@ -135,7 +137,7 @@ mod tests {
                 }
             }
         }
-        live(HvOff::new(), &[], depth, &requests, &contactors);
+        live(HvOff::new(BUS), &[], depth, &requests, &contactors);
     }
 
     #[test]
@@ -145,12 +147,21 @@ mod tests {
 
     #[test]
     fn bus_68_the_countdown_ends_when_the_battery_acts() {
-        let mut machine = HvOff::new();
+        let mut machine = HvOff::new(BUS);
         machine.observe(Shown::Value(1), Shown::Value(1), Millis(7));
         let left = |ms: u64| machine.countdown_s(Millis(7 + ms));
         assert_eq!(
             [0, 1, 999, 1_000, 1_001, 34_999, 35_000].map(left),
             [Some(35), Some(35), Some(35), Some(34), Some(34), Some(1), None]
         );
+    }
+
+    #[test]
+    fn without_printed_times_a_request_stands_and_nobody_is_late() {
+        let mut machine = HvOff::new(None);
+        machine.observe(Shown::Value(1), Shown::Value(1), Millis(7));
+        for now in [7, 5_007, 35_007, 3_600_000].map(Millis) {
+            assert_eq!((machine.phase(now), machine.countdown_s(now)), (Some(Phase::Asked), None));
+        }
     }
 }

@@ -4,12 +4,9 @@
 //! known now; what it last said of itself counts, however old.
 //! Source: BUS-R133, BUS-R134; reading BUS-23 (not parsed by default, a text behind a configuration switch).
 
-/// Silence of a running air conditioning that is told, in milliseconds: 20 cycles of 500 ms.
-const LOSS_MS: u64 = 10_000;
-
-/// Returns whether the loss of a running air conditioning is to be told.
-pub(crate) fn is_lost(is_wanted: bool, was_running: bool, silent_ms: u64) -> bool {
-    is_wanted && was_running && silent_ms >= LOSS_MS
+/// Returns whether the loss of a running air conditioning is to be told; `rule_ms` = silence that is told, if it is.
+pub(crate) fn is_lost(rule_ms: Option<u32>, was_running: bool, silent_ms: u64) -> bool {
+    was_running && rule_ms.is_some_and(|rule_ms| silent_ms >= u64::from(rule_ms))
 }
 
 #[cfg(test)]
@@ -21,7 +18,7 @@ mod tests {
         for is_wanted in [false, true] {
             for was_running in [false, true] {
                 for (silent_ms, long) in [(0, false), (9_999, false), (10_000, true), (u64::MAX, true)] {
-                    let told = is_lost(is_wanted, was_running, silent_ms);
+                    let told = is_lost(is_wanted.then_some(10_000), was_running, silent_ms);
                     assert_eq!(told, [is_wanted, was_running, long] == [true; 3], "{silent_ms} ms");
                 }
             }

@@ -22,6 +22,13 @@ use protocol_core::vehicle::{Node, Vehicle};
 pub struct Options {
     /// Tells that a running air conditioning has lost its link (BUS-23: off by default).
     pub hvac_alarm: bool,
+    /// Consent to remote upgrades: without it the cluster forbids them always (JL-36).
+    pub may_upgrade: bool,
+}
+
+impl Options {
+    /// Nothing is switched on.
+    pub const NONE: Self = Self { hvac_alarm: false, may_upgrade: false };
 }
 
 /// One of each machine.
@@ -34,15 +41,21 @@ pub(crate) struct Timers {
 }
 
 impl Timers {
-    pub(crate) const fn new(options: Options) -> Self {
-        Self { options, hv_off: HvOff::new(), charger: Charger::new(), buzzer: Buzzer::new() }
+    pub(crate) const fn new(options: Options, vehicle: &Vehicle) -> Self {
+        Self {
+            options,
+            hv_off: HvOff::new(vehicle.rules.hv_off),
+            charger: Charger::new(),
+            buzzer: Buzzer::new(),
+        }
     }
 
     /// Feeds the machines with what is known now; to be called after every frame and every tick.
     pub(crate) fn observe(&mut self, vehicle: &Vehicle, reception: &Reception, now: Millis) {
         let shown = |value| reception.shown(vehicle, value, now);
         self.hv_off.observe(shown(Value::BatteryHvOffRequest), shown(Value::ContactorMain), now);
-        self.charger.observe(shown(Value::ChargePlug), reception.last_sign(Node::Charger), now);
+        let last_sign = reception.last_sign(vehicle, Node::Charger);
+        self.charger.observe(vehicle.rules.charger_loss_ms, shown(Value::ChargePlug), last_sign, now);
         self.buzzer.observe(shown(Value::VehicleBuzzer), now);
     }
 }

@@ -18,16 +18,19 @@ pub(crate) const LONGEST_STEP_MS: u64 = 1_000;
 #[derive(Clone, Copy)]
 pub(crate) struct Odometer {
     sum: u64,
+    /// What was driven before power-on is part of the sum.
+    is_whole: bool,
     last: Option<Millis>,
 }
 
 impl Odometer {
     pub(crate) const fn new() -> Self {
-        Self { sum: 0, last: None }
+        Self { sum: 0, is_whole: false, last: None }
     }
 
     /// Starts from a distance that was kept, in 1/8 km; never takes distance away.
     pub(crate) fn restore(&mut self, km8: u32) {
+        self.is_whole = true;
         self.sum = self.sum.max(u64::from(km8) * (PER_KM / 8));
     }
 
@@ -42,6 +45,11 @@ impl Odometer {
         self.last = self.last.max(Some(now));
         let speed = speed_kmh256.and_then(|speed| u64::try_from(speed).ok()).unwrap_or(0);
         self.sum = self.sum.saturating_add(speed * step);
+    }
+
+    /// Returns the total distance in 1/8 km, rounded down; `None` until what was driven before is known.
+    pub(crate) fn known_km8(&self) -> Option<u32> {
+        self.is_whole.then(|| self.km8())
     }
 
     /// Returns the distance in 1/8 km, rounded down.

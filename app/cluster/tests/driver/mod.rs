@@ -2,7 +2,7 @@
 
 use crate::support::toy::*;
 use crate::support::*;
-use cluster::{Buttons, Contacts, Inputs, Key};
+use cluster::{Buttons, Contacts, FaultId, Inputs, Key};
 use protocol_core::Millis;
 use protocol_core::model::{Gear, Shown, Value};
 
@@ -14,7 +14,7 @@ fn shown(drive: &Drive, value: Value) -> Shown<i32> {
 fn own_wires_are_values_that_do_not_go_stale() {
     let mut drive = Drive::of(&TOY);
     drive.inputs = Inputs {
-        key: Key::Start,
+        key: Some(Key::Start),
         contacts: Contacts::closed([Value::BodyHorn]),
         supply_decivolts: Some(274),
         air_rear_centimpa: Some(81),
@@ -58,14 +58,27 @@ fn bus_r129_driver_left_needs_an_empty_seat_and_a_driving_gear() {
 }
 
 #[test]
-fn bus_r129_without_gear_information_the_driver_has_not_left() {
+fn bus_r129_a_driver_who_has_left_is_gone_until_a_known_gear_or_the_seat_ends_it() {
+    let left = |drive: &Drive| shown(drive, Value::ClusterDriverLeft);
     let mut drive = healthy();
     drive.inputs.contacts.set(Value::BodySeatEmpty, true);
     drive.gear_and_speed(1, 0);
     drive.run(CYCLE);
+    assert_eq!(drive.view().line.map(|line| line.named.fault), Some(FaultId::DriverLeft));
+    assert!(drive.sound().is_some(), "the driver is told");
     drive.stop(DRIVE);
     drive.run(DRIVE_TIMEOUT);
-    assert_eq!(shown(&drive, Value::ClusterDriverLeft), Shown::Value(0));
+    assert_eq!(left(&drive), Shown::Value(1), "no gear ends nothing");
+    let mut seated = drive.clone();
+    seated.inputs.contacts.set(Value::BodySeatEmpty, false);
+    seated.run(CYCLE);
+    assert_eq!(left(&seated), Shown::Value(0), "somebody sits there");
+    drive.gear_and_speed(3, 0);
+    drive.run(CYCLE);
+    assert_eq!(left(&drive), Shown::Value(0), "neutral, known");
+    drive.stop(DRIVE);
+    drive.run(DRIVE_TIMEOUT);
+    assert_eq!(left(&drive), Shown::Value(0), "nor does no gear begin it");
 }
 
 #[test]

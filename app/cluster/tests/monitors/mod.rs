@@ -128,7 +128,7 @@ fn bus_r080_when_everything_is_silent_nothing_is_said_of_limping() {
 fn bus_r133_bus_23_the_loss_of_the_air_conditioning_is_told_only_if_wanted() {
     for (wanted, texts) in [(false, vec![]), (true, vec!["Air conditioning link lost"])] {
         let mut drive = healthy();
-        drive.cluster = Cluster::with_options(&PROBE, Options { hvac_alarm: wanted });
+        drive.cluster = Cluster::with_options(&PROBE, Options { hvac_alarm: wanted, ..Options::NONE });
         drive.keep(Node::Hvac, V::HvacOn, 1);
         drive.run(CYCLE);
         drive.hush(Node::Hvac);
@@ -146,7 +146,7 @@ fn bus_r133_bus_23_the_loss_of_the_air_conditioning_is_told_only_if_wanted() {
 #[test]
 fn bus_r133_an_air_conditioning_that_is_off_is_not_missed() {
     let mut drive = healthy();
-    drive.cluster = Cluster::with_options(&PROBE, Options { hvac_alarm: true });
+    drive.cluster = Cluster::with_options(&PROBE, Options { hvac_alarm: true, ..Options::NONE });
     drive.keep(Node::Hvac, V::HvacOn, 0);
     drive.run(CYCLE);
     drive.hush(Node::Hvac);

@@ -5,9 +5,9 @@
 pub(crate) mod probe;
 pub(crate) mod toy;
 
-use cluster::{Cluster, Inputs, Received, Sound, Telltale, View};
+use cluster::{Cluster, Inputs, Options, Received, Sound, Telltale, View};
 use protocol_core::model::Value;
-use protocol_core::vehicle::{Node, Vehicle};
+use protocol_core::vehicle::{HvOffRule, LimpRule, Node, Rules, Vehicle};
 use protocol_core::{CanFrame, CanId, Millis, Severity};
 use std::collections::BTreeMap;
 
@@ -15,6 +15,15 @@ use std::collections::BTreeMap;
 pub(crate) const CYCLE: u64 = 100;
 /// The clock's step, in milliseconds.
 pub(crate) const TICK: u64 = 10;
+
+/// What any document may print.
+pub(crate) const RULES: Rules = Rules {
+    hv_off: Some(HvOffRule { vehicle_ms: 5_000, battery_ms: 35_000 }),
+    limp: Some(LimpRule { silence_ms: 5_000, most_deciamps: 600, deciamps_per_ah: 3 }),
+    charger_loss_ms: Some(5_000),
+    hvac_loss_ms: Some(10_000),
+    buzzer_ms: Some(120_000),
+};
 
 /// What is sent again and again: a frame, or a value of [`probe`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -48,7 +57,8 @@ impl Drive {
     /// The same at another time.
     pub(crate) fn at(vehicle: &'static Vehicle, now: Millis) -> Self {
         Self {
-            cluster: Cluster::new(vehicle),
+            // The owner consents to remote upgrades: what else forbids them is seen so.
+            cluster: Cluster::with_options(vehicle, Options { may_upgrade: true, ..Options::NONE }),
             inputs: Inputs::default(),
             now,
             takes: false,

@@ -29,7 +29,18 @@ pub(crate) const fn id(node: Node) -> CanId {
 pub(crate) const fn rx(node: Node) -> RxMessage {
     let expected = matches!(node, Node::Vcu | Node::Bms);
     let timeout_ms = TIMEOUT as u32;
-    RxMessage { id: id(node), name: "Probe", node, len: 8, timeout_ms, life: None, checksum: None, expected }
+    RxMessage {
+        id: id(node),
+        name: "Probe",
+        node,
+        len: 8,
+        cycle_ms: 0,
+        timeout_ms,
+        life: None,
+        checksum: None,
+        expected,
+        vital: false,
+    }
 }
 
 pub(crate) const RX: [RxMessage; NODES.len()] = {
@@ -76,6 +87,7 @@ pub(crate) static PROBE: Vehicle = Vehicle {
     rx: &RX,
     decode,
     faults: FAULTS,
+    rules: super::RULES,
     nodes: &[NodeName { node: Node::Vcu, zh: "整车", en: "VCU" }],
     ..NO_VEHICLE
 };

@@ -34,7 +34,18 @@ const fn rx(
     life: Option<Life>,
     expected: bool,
 ) -> RxMessage {
-    RxMessage { id, name, node, len: 8, timeout_ms, life, checksum: None, expected }
+    RxMessage {
+        id,
+        name,
+        node,
+        len: 8,
+        cycle_ms: 0,
+        timeout_ms,
+        life,
+        checksum: None,
+        expected,
+        vital: false,
+    }
 }
 
 const fn tx(id: CanId, name: &'static str, cycle_ms: u32, life: Life) -> TxMessage {
@@ -89,6 +100,7 @@ const fn toy(faults: &'static [FaultText]) -> Vehicle {
         tx: TX,
         encode,
         faults,
+        rules: super::RULES,
         nodes: NODES,
         ..NO_VEHICLE
     }

@@ -1,5 +1,7 @@
 //! What the cluster sends: cycle, phase, life counter, no bursts.
 
+mod unknown;
+
 use crate::support::toy::*;
 use crate::support::*;
 use cluster::{Cluster, Contacts, Inputs, Key};
@@ -80,7 +82,7 @@ fn a_stall_sends_each_message_once_and_keeps_its_phase() {
 fn what_is_sent_is_what_the_wires_say() {
     let mut drive = healthy();
     drive.inputs = Inputs {
-        key: Key::On,
+        key: Some(Key::On),
         contacts: Contacts::closed([Value::BodySeatEmpty, Value::BodyTurnLeft]),
         air_front_centimpa: None,
         supply_decivolts: Some(240),

@@ -298,7 +298,7 @@ fn bus_69_the_check_state_alone_is_no_alarm() {
 fn bus_r127_and_bus_94_meter1_says_what_the_wires_say() {
     let mut ride = started();
     ride.inputs = Inputs {
-        key: Key::On,
+        key: Some(Key::On),
         contacts: Contacts::closed([
             Value::BodySeatEmpty,
             Value::BodyParkingBrake,

@@ -95,7 +95,8 @@ fn bus_r060_bus_r120_bus_r124_bus_r126_bus_r143_codes_are_numbers_for_the_sub_sc
         (STEERING, [0, 0, 0, 0, 0, 0, 1, 0x14], Value::SteeringFaultCode, 4),
         (DCDC, [0, 0, 0, 0, 0, 0, 1, 0x18], Value::DcdcFaultCode, 8),
         (AIR, [0, 0, 0, 0, 0, 0, 1, 0x1A], Value::CompressorFaultCode, 10),
-        (0x18F7_46E5, [0, 0, 0, 0, 0, 255, 0, 1], Value::InsulationFaultCode, 255),
+        // 255 is filler (BUS-R008).
+        (0x18F7_46E5, [0, 0, 0, 0, 0, 254, 0, 1], Value::InsulationFaultCode, 254),
     ];
     for (id, data, value, code) in codes {
         let mut ride = started();

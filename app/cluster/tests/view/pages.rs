@@ -7,7 +7,7 @@ use cluster::view::{Limp, List, Listed, Sheet};
 use cluster::{Button, Controller, Sound, Trip};
 use protocol_core::model::{Shown, Value as V};
 use protocol_core::states::Confinement;
-use protocol_core::vehicle::{FaultText, NO_VEHICLE, Node, Vehicle};
+use protocol_core::vehicle::{FaultText, LimpRule, NO_VEHICLE, Node, Rules, Vehicle};
 use protocol_core::{CanFrame, CanId, Severity};
 
 /// A vehicle that sends any value, one in each frame.
@@ -20,6 +20,10 @@ static ANY: Vehicle = Vehicle {
         FaultText { source: Node::Bms, code: 3, ..text("过压", "Overvoltage") },
         FaultText { source: Node::Bms, code: 4, limps: true, ..text("失联", "Link lost") },
     ],
+    rules: Rules {
+        limp: Some(LimpRule { silence_ms: 5_000, most_deciamps: 600, deciamps_per_ah: 3 }),
+        ..Rules::NONE
+    },
     ..NO_VEHICLE
 };
 
