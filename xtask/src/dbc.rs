@@ -48,7 +48,7 @@ fn findings_of(name: &str, in_repository: &Path, given: &Path) -> Vec<Diagnostic
         Ok(Ok(text)) => lint::lint(name, &text).0,
         Ok(Err(wrong)) => wrong.0,
         Err(error) => {
-            vec![Diagnostic { file: name.into(), line: 0, message: format!("cannot be read: {error}") }]
+            vec![Diagnostic::new(name, 0, format!("cannot be read: {error}"))]
         }
     }
 }

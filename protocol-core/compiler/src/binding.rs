@@ -4,10 +4,10 @@
 
 use crate::diagnostics::{Diagnostics, Report, did_you_mean};
 use crate::meaning::{CHECKSUMS, NODES, accepted, counts_per, states};
-use crate::network::{Message, Network, Signal};
+use crate::network::{Condition, Doubt, Message, Network, Signal};
+use crate::number::Number;
 use crate::ratio::{Linear, Ratio};
 use protocol_core::checksum::Checksum;
-use protocol_core::codec::Mux;
 use protocol_core::model::{Missing, Severity, Unit, Value};
 use protocol_core::states::Kind;
 use protocol_core::stream;
@@ -19,6 +19,8 @@ use toml::de::{DeArray, DeTable, DeValue};
 pub(crate) struct Binding {
     pub(crate) zh: String,
     pub(crate) en: String,
+    /// Bits per second.
+    pub(crate) bitrate: u32,
     /// 1 or 3.
     pub(crate) worst_level: u8,
     /// Images hold the vehicle and look for it.
@@ -34,6 +36,8 @@ pub(crate) struct Binding {
 
 pub(crate) struct NodeRow {
     pub(crate) dbc: String,
+    /// Further nodes of the DBC that are parts of this one.
+    pub(crate) also: Vec<String>,
     pub(crate) node: Node,
     pub(crate) zh: String,
     pub(crate) en: String,
@@ -57,9 +61,9 @@ pub(crate) struct RxValue {
 
 impl RxValue {
     /// Returns when the value is in the frame; all its signals are in it together.
-    pub(crate) fn mux(&self, message: &Message) -> Mux {
-        let mut muxes = self.terms.iter().map(|term| message.signals[term.signal].mux);
-        muxes.find(|mux| matches!(mux, Mux::When(_))).unwrap_or(Mux::Always)
+    pub(crate) fn when<'m>(&self, message: &'m Message) -> &'m [Condition] {
+        let mut conditions = self.terms.iter().map(|term| message.signals[term.signal].when.as_slice());
+        conditions.find(|when| !when.is_empty()).unwrap_or(&[])
     }
 }
 
@@ -90,8 +94,10 @@ pub(crate) struct Term {
 }
 
 pub(crate) enum How {
-    /// A number, scaled to the model's unit.
-    Scaled { linear: Linear, nearest: bool, magnitude: bool },
+    /// A number, scaled to the model's unit; the scale is off by `off` counts at most.
+    Scaled { linear: Linear, nearest: bool, magnitude: bool, off: f64 },
+    /// The number that an IEEE float is, scaled to the model's unit.
+    Float { linear: Linear, nearest: bool, magnitude: bool },
     /// A state: model value of each raw value, `None` = invalid; what is not listed is `other`.
     Mapped { states: States, other: Option<i32> },
 }
@@ -133,6 +139,9 @@ pub(crate) struct Fault {
     pub(crate) en: String,
 }
 
+/// What a DBC writes where no node is the sender of a message.
+pub(crate) const NOBODY: &str = "Vector__XXX";
+
 type Entry<'t> = (&'t Spanned<std::borrow::Cow<'t, str>>, &'t Spanned<DeValue<'t>>);
 type Maps<'t> = BTreeMap<&'t str, &'t DeTable<'t>>;
 
@@ -145,7 +154,9 @@ fn usual_timeout(message: &Message) -> u32 {
 }
 
 /// Reads a `vehicle.toml`.
-pub(crate) fn read(file: &str, text: &str, network: &Network) -> Result<Binding, Diagnostics> {
+///
+/// `dbc` is the name of the DBC file of the network.
+pub(crate) fn read(file: &str, text: &str, dbc: &str, network: &Network) -> Result<Binding, Diagnostics> {
     let (root, errors) = DeTable::parse_recoverable(text);
     let mut report = Report::new(file, text);
     for error in &errors {
@@ -155,13 +166,19 @@ pub(crate) fn read(file: &str, text: &str, network: &Network) -> Result<Binding,
     if !errors.is_empty() {
         return report.finish().or(()).map(|()| unreachable!("a report with errors is an error"));
     }
-    let mut reader = Reader { report, network };
+    let mut reader = Reader { report, dbc, network };
     let binding = reader.root(root.get_ref());
     reader.report.finish().or(binding)
 }
 
+/// Returns factor and offset of a signal in counts of the model, if they have at most 37 digits.
+fn scaled_by(signal: &Signal, counts: Ratio) -> Option<(Ratio, Ratio)> {
+    Some((signal.factor.checked_mul(counts)?, signal.offset.checked_mul(counts)?))
+}
+
 struct Reader<'a> {
     report: Report<'a>,
+    dbc: &'a str,
     network: &'a Network,
 }
 
@@ -240,6 +257,7 @@ impl Reader<'_> {
         let mut binding = Binding {
             zh: String::new(),
             en: String::new(),
+            bitrate: self.network.bitrate.unwrap_or(0),
             worst_level: 3,
             shipped: true,
             nodes: Vec::new(),
@@ -283,11 +301,12 @@ impl Reader<'_> {
     }
 
     fn vehicle(&mut self, at: &Spanned<DeValue<'_>>, binding: &mut Binding) {
-        const KEYS: [&str; 4] = ["zh", "en", "worst_level", "shipped"];
+        const KEYS: [&str; 5] = ["bitrate", "zh", "en", "worst_level", "shipped"];
         for (key, value) in self.table(at) {
             match key.get_ref().as_ref() {
                 "zh" => binding.zh = self.text(value),
                 "en" => binding.en = self.text(value),
+                "bitrate" => binding.bitrate = self.number(value, 10_000..=1_000_000) as u32,
                 "worst_level" => match self.number(value, 1..=3) {
                     2 => self.wrong(value, "1 or 3"),
                     level => binding.worst_level = level as u8,
@@ -299,18 +318,19 @@ impl Reader<'_> {
         if binding.zh.is_empty() || binding.en.is_empty() {
             self.report.offset(at.span().start, "[vehicle] needs the names `zh` and `en`");
         }
+        if binding.bitrate == 0 {
+            let text =
+                format!("{} does not say the bit rate (BusSpeed): write `bitrate = 500000` here", self.dbc);
+            self.report.offset(at.span().start, text);
+        }
     }
 
     fn nodes(&mut self, at: &Spanned<DeValue<'_>>) -> Vec<NodeRow> {
         let mut rows: Vec<NodeRow> = Vec::new();
         for (name, table) in self.table(at) {
-            if !self.network.nodes.iter().any(|node| node == name.get_ref()) {
-                let known = self.network.nodes.iter().map(String::as_str);
-                let near = did_you_mean(name.get_ref(), known);
-                self.report
-                    .offset(name.span().start, format!("no node `{}` in the DBC{near}", name.get_ref()));
-            }
+            self.node_of_dbc(name.get_ref(), name.span().start);
             let (mut node, mut zh, mut en) = (None, String::new(), String::new());
+            let mut also = Vec::new();
             for (key, value) in self.table(table) {
                 match key.get_ref().as_ref() {
                     "node" => {
@@ -324,7 +344,24 @@ impl Reader<'_> {
                     }
                     "zh" => zh = self.text(value),
                     "en" => en = self.text(value),
-                    other => self.unknown(key.span().start, "key", other, ["node", "zh", "en"].into_iter()),
+                    "also" => match value.get_ref() {
+                        DeValue::Array(list) => {
+                            for at in list.iter() {
+                                let other = self.text(at);
+                                self.node_of_dbc(&other, at.span().start);
+                                also.push(other);
+                            }
+                        }
+                        _ => self.wrong(value, "a list"),
+                    },
+                    other => {
+                        self.unknown(
+                            key.span().start,
+                            "key",
+                            other,
+                            ["also", "node", "zh", "en"].into_iter(),
+                        );
+                    }
                 }
             }
             let Some(node) = node.filter(|_| !zh.is_empty() && !en.is_empty()) else {
@@ -336,10 +373,19 @@ impl Reader<'_> {
                 let message = format!("`{}` is the second node of this kind", name.get_ref());
                 self.report.offset(name.span().start, message);
             }
-            rows.push(NodeRow { dbc: name.get_ref().to_string(), node, zh, en });
+            rows.push(NodeRow { dbc: name.get_ref().to_string(), also, node, zh, en });
         }
         rows.sort_by_key(|row| row.node);
         rows
+    }
+
+    /// Checks that a node is one of the DBC, or stands for the messages without a sender.
+    fn node_of_dbc(&mut self, name: &str, offset: usize) {
+        let nodes = &self.network.nodes;
+        if name != NOBODY && !nodes.iter().any(|node| node == name) {
+            let near = did_you_mean(name, nodes.iter().map(String::as_str));
+            self.report.offset(offset, format!("no node `{name}` in the DBC{near}"));
+        }
     }
 
     /// Returns the message of a section and the kind of its sender.
@@ -349,14 +395,19 @@ impl Reader<'_> {
         nodes: &[NodeRow],
     ) -> Option<(usize, Node)> {
         let messages = &self.network.messages;
-        let Some(index) = messages.iter().position(|message| message.name == *name.get_ref()) else {
+        let Some(index) = self.network.index(name.get_ref()) else {
             let near = did_you_mean(name.get_ref(), messages.iter().map(|message| message.name.as_str()));
             self.report
                 .offset(name.span().start, format!("no message `{}` in the DBC{near}", name.get_ref()));
             return None;
         };
-        let sender = &messages[index].sender;
-        let Some(row) = nodes.iter().find(|row| row.dbc == *sender) else {
+        if let Some(doubt) = &messages[index].doubt {
+            self.doubted(&format!("`{}`", name.get_ref()), name.span().start, doubt);
+            return None;
+        }
+        let sender = if messages[index].sender.is_empty() { NOBODY } else { &messages[index].sender };
+        let sends = |row: &&NodeRow| row.dbc == sender || row.also.iter().any(|other| other == sender);
+        let Some(row) = nodes.iter().find(sends) else {
             let message =
                 format!("`{}` is sent by `{sender}`, which has no [nodes.{sender}]", name.get_ref());
             self.report.offset(name.span().start, message);
@@ -477,9 +528,12 @@ impl Reader<'_> {
             self.report.offset(at.span().start, format!("`{}` holds 1 to 31 bits", value.path()));
         }
         let row = RxValue { value, terms };
-        let together =
-            |term: &Term| [Mux::Always, row.mux(message)].contains(&message.signals[term.signal].mux);
-        if !row.terms.iter().all(|term| message.signals[term.signal].mux == Mux::Selector || together(term)) {
+        let when = row.when(message);
+        let together = |term: &Term| {
+            let own = message.signals[term.signal].when.as_slice();
+            own.is_empty() || own == when
+        };
+        if !row.terms.iter().all(together) {
             let text = format!("the signals of `{}` are never in the same frame", value.path());
             self.report.offset(at.span().start, text);
         }
@@ -488,6 +542,11 @@ impl Reader<'_> {
 
     fn signal(&mut self, name: &str, offset: usize, message: &Message) -> Option<usize> {
         let found = message.signal(name);
+        let lost = || message.lost.iter().find(|(lost, _)| lost == name).map(|(_, doubt)| doubt);
+        if let Some(doubt) = found.map_or_else(lost, |index| message.signals[index].doubt.as_ref()) {
+            self.doubted(&format!("`{name}` of {}", message.name), offset, doubt);
+            return None;
+        }
         if found.is_none() {
             let known = message.signals.iter().map(|signal| signal.name.as_str());
             let near = did_you_mean(name, known);
@@ -496,13 +555,19 @@ impl Reader<'_> {
         found
     }
 
+    /// Reports that something of the DBC cannot be bound, with its place there.
+    fn doubted(&mut self, what: &str, offset: usize, doubt: &Doubt) {
+        let (file, line, column) = (self.dbc, doubt.at.line, doubt.at.column);
+        self.report.offset(offset, format!("{what} cannot be bound: {file}:{line}:{column}: {}", doubt.text));
+    }
+
     /// Returns a signal that is one whole byte without a sign, and its byte.
     fn byte(&mut self, at: &Spanned<DeValue<'_>>, message: &Message) -> Option<(usize, u8)> {
         let (name, offset) = (self.text(at), at.span().start);
         let index = self.signal(&name, offset, message)?;
         let signal = &message.signals[index];
         match signal.segments().as_slice() {
-            [segment] if segment.bits == 8 && !signal.signed && signal.mux == Mux::Always => {
+            [segment] if segment.bits == 8 && signal.number == Number::Unsigned && signal.when.is_empty() => {
                 Some((index, segment.byte))
             }
             _ => {
@@ -612,8 +677,8 @@ impl Reader<'_> {
         }
         let signals: Vec<&Signal> = values.iter().map(|(index, _)| &message.signals[*index]).collect();
         let alike = |signal: &&Signal| {
-            (signal.scale, &signal.unit, signal.range, signal.invalid_raw)
-                == (signals[0].scale, &signals[0].unit, signals[0].range, None)
+            (signal.factor, signal.offset, &signal.unit, signal.range, signal.invalid_raw)
+                == (signals[0].factor, signals[0].offset, &signals[0].unit, signals[0].range, None)
         };
         if !signals.iter().all(alike) {
             self.report
@@ -624,7 +689,7 @@ impl Reader<'_> {
         }
         let scales =
             [bound[0], bound[1]].into_iter().flatten().map(|value| self.scale(value, signals[0], here));
-        let scales: Vec<Option<Linear>> = scales.collect();
+        let scales: Vec<Option<Linear>> = scales.map(|scale| scale.map(|(linear, _)| linear)).collect();
         if scales.windows(2).any(|pair| pair[0] != pair[1]) {
             self.report.offset(here, "`highest` and `lowest` are values of different units");
         }
@@ -656,7 +721,7 @@ impl Reader<'_> {
             start,
             size,
             valid: (signals[0].range.0 as u8, signals[0].range.1 as u8),
-            scale: scales.first().copied().unwrap_or(Some(signals[0].scale))?,
+            scale: scales.first().copied().unwrap_or(signals[0].scale)?,
             bound,
         };
         Some((row, rx))
@@ -737,7 +802,11 @@ impl Reader<'_> {
             }
             How::Mapped { states, other }
         } else {
-            How::Scaled { linear: self.scale(value, signal, at.span().start)?, nearest, magnitude }
+            let (linear, off) = self.scale(value, signal, at.span().start)?;
+            match signal.number.is_float() {
+                true => How::Float { linear, nearest, magnitude },
+                false => How::Scaled { linear, nearest, magnitude, off },
+            }
         };
         Some(Term { signal: index, how })
     }
@@ -811,6 +880,11 @@ impl Reader<'_> {
         offset: usize,
     ) -> Option<States> {
         let known = states(value.unit());
+        if signal.number.is_float() {
+            let text = format!("`{}` is a state, `{}` an IEEE float", value.path(), signal.name);
+            self.report.offset(offset, text);
+            return None;
+        }
         let mut states = States::new();
         if value.unit() == Unit::Flag && signal.length == 1 && map.is_empty() {
             return Some(plain_flag());
@@ -830,7 +904,7 @@ impl Reader<'_> {
                     Some(hex) => i64::from_str_radix(hex, 16).ok(),
                     None => name.parse().ok(),
                 };
-                let (lowest, highest) = signal.span();
+                let (lowest, highest) = signal.short_span();
                 raws.extend(by_number.filter(|raw| (lowest..=highest).contains(raw)));
             }
             if raws.is_empty() {
@@ -863,8 +937,8 @@ impl Reader<'_> {
         Some(states)
     }
 
-    /// Returns model counts as a function of the raw value.
-    fn scale(&mut self, value: Value, signal: &Signal, offset: usize) -> Option<Linear> {
+    /// Returns model counts as a function of the raw value, and by how many counts it is off at most.
+    fn scale(&mut self, value: Value, signal: &Signal, offset: usize) -> Option<(Linear, f64)> {
         let Some(counts) = counts_per(value.unit(), &signal.unit) else {
             let text = format!(
                 "`{}` is measured in {}, but `{}` has the unit \"{}\"",
@@ -876,17 +950,24 @@ impl Reader<'_> {
             self.report.offset(offset, text);
             return None;
         };
-        let linear = Linear::new(signal.factor * counts, signal.offset * counts);
-        let fits = |linear: &Linear| {
-            let at = |raw| i32::try_from(linear.floor(raw)).is_ok();
-            at(signal.range.0) && at(signal.range.1)
+        let scale = scaled_by(signal, counts).and_then(|(factor, shift)| {
+            let span = if signal.number.is_float() { (0, 0) } else { signal.range };
+            Linear::near(factor, shift, span)
+        });
+        let fits = |(linear, off): &(Linear, f64)| {
+            let at = |raw: i128| {
+                i64::try_from(raw)
+                    .is_ok_and(|raw| linear.checked_floor(raw).is_some_and(|n| i32::try_from(n).is_ok()))
+            };
+            // Half a count is what rounding may cost.
+            *off <= 0.5 && (signal.number.is_float() || at(signal.range.0) && at(signal.range.1))
         };
-        let linear = linear.filter(fits);
-        if linear.is_none() {
+        let scale = scale.filter(fits);
+        if scale.is_none() {
             let text = format!("`{}` does not fit in 31 bits of `{}`", signal.name, value.path());
             self.report.offset(offset, text);
         }
-        linear
+        scale
     }
 
     fn sent(&mut self, at: &Spanned<DeValue<'_>>, nodes: &[NodeRow], maps: &Maps<'_>) -> Vec<Tx> {
@@ -907,7 +988,7 @@ impl Reader<'_> {
                     "checksum" => row.checksum = self.checksum(value, message),
                     signal => {
                         let Some(signal) = self.signal(signal, key.span().start, message) else { continue };
-                        if matches!(message.signals[signal].mux, Mux::When(_)) {
+                        if !message.signals[signal].when.is_empty() {
                             let text = "the cluster sends no multiplexed signals";
                             self.report.offset(key.span().start, text);
                         }
@@ -949,7 +1030,10 @@ impl Reader<'_> {
                         "from" => path = Some((self.text(value), value.span().start)),
                         "round" => nearest = self.rounding(value),
                         "map" => map_at = Some(value),
-                        "missing" => missing = Some(self.number(value, signal.span().0..=signal.span().1)),
+                        "missing" => {
+                            let (lowest, highest) = signal.short_span();
+                            missing = Some(self.number(value, lowest..=highest));
+                        }
                         "bits" => part = self.part(value, signal),
                         other => self.unknown(key.span().start, "key", other, KEYS.into_iter()),
                     }
@@ -965,7 +1049,17 @@ impl Reader<'_> {
             self.unknown(offset, "model value", &path, Value::ALL.iter().map(|value| value.path()));
             return None;
         };
-        let missing = missing.or(signal.invalid_raw).unwrap_or(signal.start_raw);
+        if signal.number.is_float() {
+            let text = format!(
+                "`{}` is an IEEE float (SIG_VALTYPE_): the cluster sends whole numbers only",
+                signal.name
+            );
+            self.report.offset(at.span().start, text);
+            return None;
+        }
+        let usual = signal.invalid_raw.unwrap_or(signal.start_raw);
+        // Only a raw value of 64 bits without a sign can be longer; it is sent by its bits.
+        let missing = missing.unwrap_or(usual as i64);
         let how = if map_at.is_some() || value.unit().kind().is_some() {
             let map = match map_at {
                 Some(at) => self.map(at, maps)?,
@@ -1021,9 +1115,15 @@ impl Reader<'_> {
             self.scale(value, signal, offset);
             return None;
         };
-        let one = Ratio::whole(1);
-        let linear =
-            Linear::new(one / (signal.factor * counts), (Ratio::ZERO - signal.offset) / signal.factor);
+        let back = scaled_by(signal, counts).and_then(|(factor, _)| {
+            let offset = Ratio::ZERO.checked_sub(signal.offset)?.checked_div(signal.factor)?;
+            Some((Ratio::whole(1).checked_div(factor)?, offset))
+        });
+        let counts_at =
+            |raw: i128| (raw as f64 * signal.factor.approximately() + signal.offset.approximately()) as i128;
+        let span = (counts_at(signal.range.0), counts_at(signal.range.1));
+        let linear = back.and_then(|(factor, offset)| Linear::near(factor, offset, span));
+        let linear = linear.filter(|(_, off)| *off <= 0.5).map(|(linear, _)| linear);
         if linear.is_none() {
             let text = format!("`{}` cannot be computed from `{}` in 31 bits", signal.name, value.path());
             self.report.offset(offset, text);

@@ -12,16 +12,21 @@ mod binding;
 mod codec_text;
 mod diagnostics;
 pub mod encoding;
+mod gate;
 pub mod lint;
 mod meaning;
+mod multiplex;
 mod names;
-mod network;
+pub mod network;
+mod number;
 mod places;
 pub mod proof;
 mod ratio;
+mod syntax;
 mod vehicle_text;
 
-pub use diagnostics::{Diagnostic, Diagnostics, did_you_mean};
+pub use diagnostics::{Diagnostic, Diagnostics, Grade, did_you_mean};
+pub use number::Number;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,8 +60,8 @@ struct Compiled {
 }
 
 fn compile_vehicle(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<Compiled, Diagnostics> {
-    let network = network::read(dbc.0, dbc.1)?;
-    let binding = binding::read(toml.0, toml.1, &network)?;
+    let network = gate::read(dbc.0, dbc.1)?.network;
+    let binding = binding::read(toml.0, toml.1, dbc.0, &network)?;
     let mut out = format!(
         "//! Vehicle `{name}`: {} ({}).\n//!\n//! Generated from `{}` and `{}`; refresh with `cargo xtask codegen`.\n\n",
         one_line(&binding.en),
@@ -109,11 +114,7 @@ pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
             [dbc, _] => {
                 let file = if dbc { "vehicle.toml".to_string() } else { format!("{name}.dbc") };
                 let message = "is missing: a vehicle needs both files, see vehicles/FORMAT.md";
-                wrong.0.push(Diagnostic {
-                    file: format!("vehicles/{name}/{file}"),
-                    line: 0,
-                    message: message.into(),
-                });
+                wrong.0.push(Diagnostic::new(&format!("vehicles/{name}/{file}"), 0, message));
             }
         }
     }
@@ -251,7 +252,7 @@ pub fn check(root: &Path) -> Result<(), Diagnostics> {
     let mut wrong = Diagnostics::default();
     let mut note = |path: &Path, line, message: &str| {
         let message = format!("{message}: run `cargo xtask codegen` and commit the result");
-        wrong.0.push(Diagnostic { file: path.to_string_lossy().into_owned(), line, message });
+        wrong.0.push(Diagnostic::new(&path.to_string_lossy(), line, message));
     };
     for (path, text) in &files {
         match fs::read_to_string(root.join(path)) {

@@ -3,12 +3,10 @@
 use crate::binding::{BOUND, Binding, How, HowBack, Rx, RxValue, States, StreamRow, Term, Tx, TxSignal};
 use crate::codec_text::{counts, id_text, validity, width};
 use crate::meaning::variant;
-use crate::names::{function_name, type_name};
-use crate::network::{Message, Network, Signal};
+use crate::network::{Condition, Message, Network, Signal};
 use crate::one_line;
 use crate::ratio::Linear;
 use protocol_core::checksum::Checksum;
-use protocol_core::codec::Mux;
 use protocol_core::model::{Severity, Unit};
 use protocol_core::vehicle::Node;
 use std::collections::BTreeMap;
@@ -129,9 +127,10 @@ fn divided(numerator: &str, den: i64, nearest: bool) -> String {
 /// Whether every step of the scale fits in 32 bits for every raw value, valid or not.
 fn fits(linear: Linear, signal: &Signal, nearest: bool) -> bool {
     let spare = if nearest { linear.den / 2 } else { 0 };
-    let step = |raw: i64| {
-        let product = raw * linear.mul;
-        let all = [product, product + linear.add, product + linear.add + spare];
+    let step = |raw: i128| {
+        let product = raw * i128::from(linear.mul);
+        let sum = product + i128::from(linear.add);
+        let all = [product, sum, sum + i128::from(spare)];
         all.iter().all(|number| i32::try_from(*number).is_ok())
     };
     step(signal.span().0) && step(signal.span().1)
@@ -147,6 +146,7 @@ impl Tables {
         let text = |state: Option<i32>| state.map_or("INVALID".to_string(), |state| state.to_string());
         let (lowest, highest) = signal.span();
         if lowest == 0 && highest <= 15 {
+            let highest = highest as i64;
             let cells = (0..=highest).map(|raw| text(states.get(&raw).copied().unwrap_or(other)));
             let table = format!("[i32; {}] = [{}]", highest + 1, cells.collect::<Vec<_>>().join(", "));
             let next = self.0.len();
@@ -214,15 +214,37 @@ fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: 
     }
     if let [term] = value.terms.as_slice() {
         let signal = &message.signals[term.signal];
-        let raw = format!("frame.{}_raw()", function_name(&signal.name));
+        let raw = format!("frame.{}_raw()", signal.function);
         match &term.how {
-            How::Scaled { linear, nearest, magnitude } => {
+            How::Float { linear: Linear { mul, add, den }, nearest, magnitude } => {
+                let valid = validity(signal, "raw");
+                let valid = if valid.is_empty() { String::new() } else { format!(" && {valid}") };
+                let add = if *nearest { add + den / 2 } else { *add };
+                let (bits, number) = (width(signal), if *magnitude { "number.abs()" } else { "number" });
+                let _ = writeln!(out, "    let raw = {raw};");
+                let _ =
+                    writeln!(out, "    let number = codec::float{bits}_counts(raw, {mul}, {add}, {den});");
+                let _ = writeln!(out, "    let valid = number != INVALID{valid};");
+                let _ =
+                    writeln!(out, "    readings.put({target}, if valid {{ {number} }} else {{ 0 }}, valid);");
+            }
+            How::Scaled { linear, nearest, magnitude, off } => {
+                if *off > 0.0 {
+                    let _ =
+                        writeln!(out, "    // The factor as a short fraction: at most {off:.1e} counts off.");
+                }
                 let valid = validity(signal, "raw");
                 let valid = if valid.is_empty() { "true".into() } else { valid };
                 let number = if fits(*linear, signal, *nearest) {
                     divided(&counts("raw", "i32", linear.mul, linear.add), linear.den, *nearest)
                 } else {
-                    let wide = counts("raw", "i64", linear.mul, linear.add);
+                    // An invalid raw value of more than 32 bits may overflow; what comes of it is not used.
+                    let wide = match signal.length {
+                        0..=32 => counts("raw", "i64", linear.mul, linear.add),
+                        _ => {
+                            format!("(raw as i64).wrapping_mul({}).wrapping_add({})", linear.mul, linear.add)
+                        }
+                    };
                     let spare = if *nearest { format!(" + {}", linear.den / 2) } else { String::new() };
                     format!("({wide}{spare}).div_euclid({}) as i32", linear.den)
                 };
@@ -232,7 +254,7 @@ fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: 
             }
             How::Mapped { states, other } => match identity(states, *other) {
                 Some(last) => {
-                    let valid = match last == signal.span().1 {
+                    let valid = match i128::from(last) == signal.span().1 {
                         true => "true".into(),
                         false => format!("raw <= {last}"),
                     };
@@ -268,7 +290,7 @@ fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: 
     }
     for (index, term) in value.terms.iter().enumerate() {
         let signal = &message.signals[term.signal];
-        let raw = format!("frame.{}_raw()", function_name(&signal.name));
+        let raw = format!("frame.{}_raw()", signal.function);
         let How::Mapped { states, other } = &term.how else { continue };
         let state = tables.state(states, *other, signal, &raw);
         let _ = match index {
@@ -281,22 +303,37 @@ fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: 
 
 /// Writes the values that are always in the frame, then those of each multiplex value.
 fn write_values(out: &mut String, tables: &mut Tables, message: &Message, values: &[RxValue]) {
-    let mut pages: BTreeMap<Option<u32>, Vec<&RxValue>> = BTreeMap::new();
+    let mut pages: BTreeMap<&[Condition], Vec<&RxValue>> = BTreeMap::new();
     for value in values {
-        let page = if let Mux::When(raw) = value.mux(message) { Some(raw) } else { None };
-        pages.entry(page).or_default().push(value);
+        pages.entry(value.when(message)).or_default().push(value);
     }
-    let selector = message.signals.iter().find(|signal| signal.mux == Mux::Selector);
-    for (page, values) in pages {
-        let inside = page.zip(selector);
-        if let Some((raw, selector)) = inside {
-            let _ = writeln!(out, "    if frame.{}_raw() == {raw} {{", function_name(&selector.name));
+    for (when, values) in pages {
+        let terms: Vec<String> = when.iter().map(|condition| condition_text(message, condition)).collect();
+        if !terms.is_empty() {
+            let _ = writeln!(out, "    if {} {{", terms.join(" && "));
         }
         for value in values {
             write_value(out, tables, message, value);
         }
-        if inside.is_some() {
+        if !terms.is_empty() {
             out.push_str("    }\n");
+        }
+    }
+}
+
+/// Returns whether a multiplexer is at one of the values as Rust text.
+fn condition_text(message: &Message, condition: &Condition) -> String {
+    let raw = format!("frame.{}_raw()", message.signals[condition.selector].function);
+    // What the multiplexer never holds cannot stand in a pattern of its type.
+    let (lowest, highest) = message.signals[condition.selector].span();
+    let held = condition.ranges.iter().filter(|(first, last)| *last >= lowest && *first <= highest);
+    let held: Vec<(i128, i128)> =
+        held.map(|(first, last)| (*first.max(&lowest), *last.min(&highest))).collect();
+    match held.as_slice() {
+        [(first, last)] if first == last => format!("{raw} == {first}"),
+        ranges => {
+            let arms: Vec<String> = ranges.iter().map(|(first, last)| format!("{first}..={last}")).collect();
+            format!("matches!({raw}, {})", arms.join(" | "))
         }
     }
 }
@@ -312,14 +349,14 @@ fn write_decoder(out: &mut String, network: &Network, rx: &[Rx]) {
     let mut tables = Tables::default();
     for row in rx {
         let message = &network.messages[row.message];
-        let name = function_name(&message.name);
+        let name = &message.function;
         let unused = if row.values.is_empty() { "_" } else { "" };
         let _ = writeln!(
             out,
             "\nfn decode_{name}({unused}source: u8, {unused}data: &[u8; 8], {unused}readings: &mut Readings) {{"
         );
         if !row.values.is_empty() {
-            let _ = writeln!(out, "    let frame = {}(*data);", type_name(&message.name));
+            let _ = writeln!(out, "    let frame = {}(*data);", message.type_name);
         }
         write_values(out, &mut tables, message, &row.values);
         out.push_str("}\n");
@@ -327,7 +364,7 @@ fn write_decoder(out: &mut String, network: &Network, rx: &[Rx]) {
     tables.write(out);
     let _ = writeln!(out, "\nstatic DECODERS: [fn(u8, &[u8; 8], &mut Readings); {}] = [", rx.len());
     for row in rx {
-        let _ = writeln!(out, "    decode_{},", function_name(&network.messages[row.message].name));
+        let _ = writeln!(out, "    decode_{},", &network.messages[row.message].function);
     }
     out.push_str("];\n\nfn decode(index: u8, data: &[u8; 8], readings: &mut Readings) {\n");
     out.push_str("    if let Some(decode) = DECODERS.get(index as usize) {\n");
@@ -337,9 +374,8 @@ fn write_decoder(out: &mut String, network: &Network, rx: &[Rx]) {
 fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
     for row in tx {
         let message = &network.messages[row.message];
-        let _ =
-            writeln!(out, "\nfn encode_{}(values: &Readings) -> [u8; 8] {{", function_name(&message.name));
-        let _ = writeln!(out, "    let frame = {}::new();", type_name(&message.name));
+        let _ = writeln!(out, "\nfn encode_{}(values: &Readings) -> [u8; 8] {{", message.function);
+        let _ = writeln!(out, "    let frame = {}::new();", message.type_name);
         for (index, signal) in message.signals.iter().enumerate() {
             if signal.life.is_some() {
                 continue;
@@ -350,7 +386,7 @@ fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
                 None if signal.start_raw == 0 => continue,
                 None => signal.start_raw.to_string(),
             };
-            let _ = writeln!(out, "    let frame = frame.with_{}_raw({raw});", function_name(&signal.name));
+            let _ = writeln!(out, "    let frame = frame.with_{}_raw({raw});", signal.function);
         }
         out.push_str("    frame.0\n}\n");
     }
@@ -360,7 +396,7 @@ fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
     }
     let _ = writeln!(out, "\nfn encode(index: u8, values: &Readings) -> [u8; 8] {{\n    match index {{");
     for (index, row) in tx.iter().enumerate() {
-        let name = function_name(&network.messages[row.message].name);
+        let name = &network.messages[row.message].function;
         let _ = writeln!(out, "        {index} => encode_{name}(values),");
     }
     out.push_str("        _ => [0; 8],\n    }\n}\n");
@@ -368,9 +404,10 @@ fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
 
 /// Returns the raw value that a model value is sent as.
 fn raw_text(bound: &TxSignal, signal: &Signal) -> String {
-    let kind = format!("{}{}", if signal.signed { 'i' } else { 'u' }, width(signal));
+    let kind = format!("{}{}", if signal.signed() { 'i' } else { 'u' }, width(signal));
     let known = format!("codec::known(values, Value::{})", variant(bound.value));
-    let (low, high) = signal.range;
+    let short = |raw: i128| raw.clamp(i64::MIN.into(), i64::MAX.into()) as i64;
+    let (low, high) = (short(signal.range.0), short(signal.range.1));
     let scaled = |linear: Linear, low: i64, high: i64, nearest: bool| {
         let Linear { mul, add, den } = linear;
         let add = if nearest { add + den / 2 } else { add };
@@ -411,7 +448,7 @@ pub(crate) fn write(out: &mut String, name: &str, network: &Network, binding: &B
     let _ = writeln!(out, "\n/// {} ({}).", one_line(&binding.en), one_line(&binding.zh));
     let _ = writeln!(out, "pub static VEHICLE: Vehicle = Vehicle {{");
     let _ = writeln!(out, "    name: {name:?},\n    zh: {:?},\n    en: {:?},", binding.zh, binding.en);
-    let _ = writeln!(out, "    bitrate: {},\n    worst_level: {},", network.bitrate, binding.worst_level);
+    let _ = writeln!(out, "    bitrate: {},\n    worst_level: {},", binding.bitrate, binding.worst_level);
     out.push_str(
         "    rx: RX,\n    decode,\n    streams: STREAMS,\n    ids: IDS,\n    tx: TX,\n    encode,\n    faults: FAULTS,\n    nodes: NODES,\n};\n",
     );
