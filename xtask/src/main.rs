@@ -13,6 +13,7 @@
 mod ci;
 mod codecs;
 mod codegen;
+mod corpus;
 mod coverage;
 mod dbc;
 mod decode;
@@ -21,6 +22,7 @@ mod encode;
 mod figures;
 mod firmware;
 mod flash;
+mod known;
 mod layers;
 mod listen;
 mod out;
@@ -80,6 +82,8 @@ enum Command {
     Encode(encode::Options),
     /// Lints DBC files and names file and line of everything that is wrong or missing.
     Dbc(dbc::Options),
+    /// Measures on a folder of DBC files which are read and make a vehicle, and compares every value with cantools.
+    Corpus(corpus::Options),
     /// Compares every screen with its golden picture, or blesses the new ones.
     Screens(screens::Options),
     /// Rasterises the fonts and symbols that the screens use.
@@ -142,6 +146,7 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Decode(options) => decode::run(&options),
         Command::Encode(options) => encode::run(&options),
         Command::Dbc(options) => dbc::run(&options),
+        Command::Corpus(options) => corpus::run(&options),
         Command::Screens(options) => screens::run(&options),
         Command::Fonts => screens::fonts(),
         Command::Codegen(options) => codegen::run(&options),

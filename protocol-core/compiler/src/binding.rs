@@ -176,6 +176,29 @@ fn scaled_by(signal: &Signal, counts: Ratio) -> Option<(Ratio, Ratio)> {
     Some((signal.factor.checked_mul(counts)?, signal.offset.checked_mul(counts)?))
 }
 
+/// Returns the model counts of a signal as a function of its raw value, and by how many counts that is off at most; `None`
+/// if they do not fit in 31 bits over the whole valid range.
+fn near_scale(signal: &Signal, counts: Ratio) -> Option<(Linear, f64)> {
+    let scale = scaled_by(signal, counts).and_then(|(factor, shift)| {
+        let span = if signal.number.is_float() { (0, 0) } else { signal.range };
+        Linear::near(factor, shift, span)
+    });
+    let fits = |(linear, off): &(Linear, f64)| {
+        let at = |raw: i128| {
+            i64::try_from(raw)
+                .is_ok_and(|raw| linear.checked_floor(raw).is_some_and(|n| i32::try_from(n).is_ok()))
+        };
+        // Half a count is what rounding may cost.
+        *off <= 0.5 && (signal.number.is_float() || at(signal.range.0) && at(signal.range.1))
+    };
+    scale.filter(fits)
+}
+
+/// Does what [`near_scale`] does for a value of the model; `None` too if the unit is another one.
+pub(crate) fn scale_of(value: Value, signal: &Signal) -> Option<(Linear, f64)> {
+    near_scale(signal, counts_per(value.unit(), &signal.unit)?)
+}
+
 struct Reader<'a> {
     report: Report<'a>,
     dbc: &'a str,
@@ -950,19 +973,7 @@ impl Reader<'_> {
             self.report.offset(offset, text);
             return None;
         };
-        let scale = scaled_by(signal, counts).and_then(|(factor, shift)| {
-            let span = if signal.number.is_float() { (0, 0) } else { signal.range };
-            Linear::near(factor, shift, span)
-        });
-        let fits = |(linear, off): &(Linear, f64)| {
-            let at = |raw: i128| {
-                i64::try_from(raw)
-                    .is_ok_and(|raw| linear.checked_floor(raw).is_some_and(|n| i32::try_from(n).is_ok()))
-            };
-            // Half a count is what rounding may cost.
-            *off <= 0.5 && (signal.number.is_float() || at(signal.range.0) && at(signal.range.1))
-        };
-        let scale = scale.filter(fits);
+        let scale = near_scale(signal, counts);
         if scale.is_none() {
             let text = format!("`{}` does not fit in 31 bits of `{}`", signal.name, value.path());
             self.report.offset(offset, text);

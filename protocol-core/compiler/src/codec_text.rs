@@ -342,7 +342,7 @@ fn write_signal_info(out: &mut String, message: &Message, signal: &Signal) {
 /// Messages that differ only in identifier and cycle share their type and their signals.
 pub(crate) fn write(out: &mut String, network: &Network) {
     out.push_str("\n/// Identifiers.\npub mod id {\n    use crate::frame::CanId;\n\n");
-    for message in &network.messages {
+    for message in network.messages.iter().filter(|message| message.doubt.is_none()) {
         let name = message.function.to_uppercase();
         let _ = writeln!(
             out,
@@ -355,12 +355,15 @@ pub(crate) fn write(out: &mut String, network: &Network) {
     let layout = |index: usize| {
         let message = &network.messages[index];
         let same = |other: &&Message| {
-            other.signals == message.signals && other.fill == message.fill && other.len == message.len
+            other.doubt.is_none()
+                && other.signals == message.signals
+                && other.fill == message.fill
+                && other.len == message.len
         };
         network.messages[..index].iter().find(same)
     };
     let layouts: Vec<Option<&Message>> = (0..network.messages.len()).map(layout).collect();
-    let all = || network.messages.iter().zip(&layouts);
+    let all = || network.messages.iter().zip(&layouts).filter(|(message, _)| message.doubt.is_none());
     for (message, like) in all() {
         write_message(out, message, *like);
     }

@@ -13,6 +13,7 @@ mod codec_text;
 mod diagnostics;
 pub mod encoding;
 mod gate;
+mod interpreter;
 pub mod lint;
 mod meaning;
 mod multiplex;
@@ -21,11 +22,13 @@ pub mod network;
 mod number;
 mod places;
 pub mod proof;
+pub mod proposal;
 mod ratio;
 mod syntax;
 mod vehicle_text;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Grade, did_you_mean};
+pub use interpreter::RunTime;
 pub use number::Number;
 
 use std::fs;
@@ -140,7 +143,12 @@ pub fn compile_all(root: &Path) -> Result<Vec<(PathBuf, String)>, Diagnostics> {
             let bytes = fs::read(root.join(&file));
             let bytes =
                 bytes.map_err(|error| Diagnostics::one(&file, 0, format!("cannot be read: {error}")))?;
-            encoding::decode(&file, bytes).map(|text| (file, text))
+            let read = if file.ends_with(".dbc") {
+                encoding::read(&file, bytes).map(|read| read.text)
+            } else {
+                encoding::decode(&file, bytes)
+            };
+            read.map(|text| (file, text))
         };
         let compiled = read(format!("vehicles/{name}/{name}.dbc")).and_then(|dbc| {
             let toml = read(format!("vehicles/{name}/vehicle.toml"))?;

@@ -131,11 +131,10 @@ impl Network {
         Self { bitrate, nodes, messages, by_id, by_name }
     }
 
-    /// Returns the message that a frame with `id` is: the one with this identifier, else the one of its J1939 group.
-    pub fn message_of(&self, id: CanId) -> Option<&Message> {
-        let group =
-            || self.by_id.get(&id.group()?.packed()).filter(|index| self.messages[**index].any_source);
-        self.by_id.get(&id.packed()).or_else(group).map(|index| &self.messages[*index])
+    /// Returns the index of the message that a frame with `id` is: the one with this identifier, else the one of its
+    /// J1939 group.
+    pub fn message_of(&self, id: CanId) -> Option<usize> {
+        self.by_id.get(&id.packed()).or_else(|| self.by_id.get(&id.group()?.packed())).copied()
     }
 
     /// Returns the index of the message with this name, long or short.
@@ -298,6 +297,32 @@ impl Signal {
             return number::shown((value as f32).to_string().parse().unwrap_or(value));
         }
         number::shown(value * self.factor.approximately() + self.offset.approximately())
+    }
+
+    /// Returns the greatest raw value of which the physical value is not above `number / 10^decimals` (not below it, where
+    /// the factor is negative), and whether it is exactly that; `None` if the factor is 0 or the numbers are too long.
+    pub fn raw_of(&self, number: i128, decimals: u32) -> Option<(i128, bool)> {
+        let value = Ratio::new(number, 10i128.checked_pow(decimals)?);
+        let steps = value.checked_sub(self.offset)?.checked_div(self.factor)?;
+        if self.number.is_float() {
+            return Some((self.number.pattern(steps.approximately()), true));
+        }
+        Some((steps.floor(), steps.den == 1))
+    }
+
+    /// Returns the physical distance from one raw value to the next.
+    pub fn step(&self) -> String {
+        number::decimal(1, Ratio { num: self.factor.num.abs(), ..self.factor }, Ratio::ZERO)
+    }
+
+    /// Returns lowest and highest valid raw value of a whole number.
+    pub fn range(&self) -> (i128, i128) {
+        self.range
+    }
+
+    /// Returns whether a higher raw value is a lower physical value.
+    pub fn is_falling(&self) -> bool {
+        self.factor.num < 0
     }
 
     /// Returns the word for a raw value.

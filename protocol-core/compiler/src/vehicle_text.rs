@@ -62,7 +62,8 @@ fn write_streams(out: &mut String, network: &Network, binding: &Binding) {
 /// Writes the identifiers of all messages that the cluster does not send itself.
 fn write_ids(out: &mut String, network: &Network, binding: &Binding) {
     let own = binding.nodes.iter().find(|row| row.node == Node::Cluster).map(|row| row.dbc.as_str());
-    let others = network.messages.iter().filter(|message| Some(message.sender.as_str()) != own);
+    let sure = network.messages.iter().filter(|message| message.doubt.is_none());
+    let others = sure.filter(|message| Some(message.sender.as_str()) != own);
     let mut ids: Vec<u32> = others.map(|message| message.id).collect();
     ids.sort_unstable();
     let _ = writeln!(out, "\nstatic IDS: &[CanId] = &[");
