@@ -175,7 +175,14 @@ fn compare_frame(known: &RunTime, row: &Json, tally: &mut Tally) {
     for (byte, at) in data.iter_mut().zip((0..text.len()).step_by(2)) {
         *byte = u8::from_str_radix(&text[at..at + 2], 16).unwrap_or_default();
     }
-    for (name, pair) in row["signals"].as_object().into_iter().flatten() {
+    let Some(theirs) = row["signals"].as_object() else { return };
+    for (at, signal) in message.signals.iter().enumerate() {
+        if message.carries(at, &data) && !theirs.contains_key(&signal.name) {
+            let place = format!("{}: {} {text}", known.name, message.name);
+            tally.wrong.push(format!("{place}: `{}` is not in the frame by cantools", signal.name));
+        }
+    }
+    for (name, pair) in theirs {
         let Some(at) = message.signal(name) else { continue };
         let signal = &message.signals[at];
         tally.compared += 1;
@@ -217,7 +224,7 @@ impl Tally {
         self.signals += known.network.messages.iter().map(|message| message.signals.len()).sum::<usize>();
         let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
         for found in known.findings.0.iter().filter(|found| found.grade == Grade::Warning) {
-            *kinds.entry(form(&found.message)).or_default() += 1;
+            *kinds.entry(found.form()).or_default() += 1;
         }
         self.partly += usize::from(!kinds.is_empty());
         for (kind, places) in kinds {
@@ -252,27 +259,5 @@ impl Tally {
             bail!("{wrong} values or vehicles are wrong");
         }
         Ok(())
-    }
-}
-
-/// Returns a message without its names and numbers.
-fn form(message: &str) -> String {
-    let names = message.split('`').step_by(2).collect::<Vec<_>>().join("X");
-    let words =
-        names.split_whitespace().map(|word| match word.chars().any(|letter| letter.is_ascii_digit()) {
-            true => "N",
-            false => word,
-        });
-    words.collect::<Vec<_>>().join(" ")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn findings_of_one_kind_have_one_form() {
-        assert_eq!(form("`a` has 12 bytes"), form("`b_c` has 9 bytes"));
-        assert_eq!(form("identifier 2048 of `x` (0x800) has"), "identifier N of X N has");
     }
 }

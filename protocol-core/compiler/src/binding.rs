@@ -424,7 +424,7 @@ impl Reader<'_> {
                 .offset(name.span().start, format!("no message `{}` in the DBC{near}", name.get_ref()));
             return None;
         };
-        if let Some(doubt) = &messages[index].doubt {
+        if let Some(doubt) = messages[index].doubt.as_ref().or(messages[index].twice.as_ref()) {
             self.doubted(&format!("`{}`", name.get_ref()), name.span().start, doubt);
             return None;
         }

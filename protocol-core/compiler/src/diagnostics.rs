@@ -39,6 +39,19 @@ impl Diagnostic {
     }
 }
 
+impl Diagnostic {
+    /// Returns the message without its names and numbers: what findings of one kind have in common.
+    pub fn form(&self) -> String {
+        let words = self.message.split('`').step_by(2).collect::<Vec<_>>().join("X");
+        let plain =
+            words.split_whitespace().map(|word| match word.chars().any(|letter| letter.is_ascii_digit()) {
+                true => "N",
+                false => word,
+            });
+        plain.collect::<Vec<_>>().join(" ")
+    }
+}
+
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let grade = match self.grade {

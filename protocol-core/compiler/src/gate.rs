@@ -160,6 +160,7 @@ impl<'a> Gate<'a> {
         }
         let mut lines: BTreeMap<u64, usize> = BTreeMap::new();
         let mut messages: Vec<Message> = Vec::new();
+        let mut names: BTreeMap<String, usize> = BTreeMap::new();
         let mut unknown_senders = BTreeSet::new();
         for (message, place) in placed(dbc, places) {
             let mut read = self.message(message, place);
@@ -172,6 +173,15 @@ impl<'a> Gate<'a> {
                 }
                 read.doubt = Some(doubt);
             }
+            if let Some(first) = names.insert(read.name.clone(), place.at.line) {
+                let text = format!("message `{}` is used before, in line {first}", read.name);
+                self.report.warning(place.at, text.clone());
+                let doubt = Doubt { at: place.at, text };
+                for other in messages.iter_mut().filter(|other: &&mut Message| other.name == read.name) {
+                    other.twice.get_or_insert(doubt.clone());
+                }
+                read.twice = Some(doubt);
+            }
             if !read.sender.is_empty() && !nodes.contains(&read.sender) {
                 if unknown_senders.insert(read.sender.clone()) {
                     let near = did_you_mean(&read.sender, nodes.iter().map(String::as_str));
@@ -183,7 +193,7 @@ impl<'a> Gate<'a> {
             messages.push(read);
         }
         names::make_unique(&mut messages);
-        Network::new(bitrate, nodes, messages)
+        Network::new(bitrate, (nodes, dbc.nodes.len()), messages)
     }
 
     fn bitrate(&mut self) -> Option<u32> {
@@ -269,6 +279,7 @@ impl<'a> Gate<'a> {
             signals,
             lost,
             doubt,
+            twice: None,
             type_name: String::new(),
             function: String::new(),
         }
@@ -329,7 +340,15 @@ impl<'a> Gate<'a> {
             Default::default();
         for (signal, place_of) in message.signals.iter().zip(&place.signals) {
             match self.signal(signal, (place.id, place_of), len) {
-                Ok(read) => {
+                Ok(mut read) => {
+                    if let Some(first) = signals.iter_mut().find(|first| first.name == read.name) {
+                        let text =
+                            format!("signal `{}` is used before, in line {}", read.name, first.at.line);
+                        self.report.warning(read.at, text.clone());
+                        let doubt = Doubt { at: read.at, text };
+                        first.doubt.get_or_insert(doubt.clone());
+                        read.doubt = Some(doubt);
+                    }
                     signals.push(read);
                     marks.push(Mark::read(place_of.mux));
                 }
@@ -426,6 +445,7 @@ impl<'a> Gate<'a> {
             scale: Linear::new(factor, offset),
             unit: signal.unit.clone(),
             range: number.span(length),
+            is_limited: false,
             float_range: None,
             start_raw: 0,
             invalid_raw: None,
@@ -499,6 +519,7 @@ impl<'a> Gate<'a> {
             );
             self.report.note(at, text);
         }
+        signal.is_limited = (held_low, held_high) != (low, high);
         signal.range = (held_low, held_high);
     }
 

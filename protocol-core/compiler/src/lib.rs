@@ -12,6 +12,7 @@ mod binding;
 mod codec_text;
 mod diagnostics;
 pub mod encoding;
+mod fix;
 mod gate;
 mod interpreter;
 pub mod lint;
@@ -28,6 +29,7 @@ mod syntax;
 mod vehicle_text;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Grade, did_you_mean};
+pub use fix::fix;
 pub use interpreter::RunTime;
 pub use number::Number;
 

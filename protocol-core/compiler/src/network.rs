@@ -15,8 +15,10 @@ use std::collections::BTreeMap;
 pub struct Network {
     /// Bits per second (`BusSpeed`), if the file says it.
     pub bitrate: Option<u32>,
-    /// Names of the nodes, those too that only send.
+    /// Names of the nodes, behind those of the list those too that only send.
     pub nodes: Vec<String>,
+    /// How many of them are in the list.
+    pub(crate) listed_nodes: usize,
     /// In the order of the file.
     pub messages: Vec<Message>,
     by_id: BTreeMap<u32, usize>,
@@ -56,6 +58,8 @@ pub struct Message {
     pub lost: Vec<(String, Doubt)>,
     /// Set if no frame of it can be told or read.
     pub doubt: Option<Doubt>,
+    /// Set if another message has its name.
+    pub(crate) twice: Option<Doubt>,
     /// Name of its type in Rust.
     pub(crate) type_name: String,
     /// Name of its functions in Rust.
@@ -84,6 +88,8 @@ pub struct Signal {
     pub unit: String,
     /// Lowest and highest valid raw value of a whole number.
     pub(crate) range: (i128, i128),
+    /// The file says more than the bits can hold.
+    pub(crate) is_limited: bool,
     /// Lowest and highest valid value of a float, before factor and offset.
     pub(crate) float_range: Option<(f64, f64)>,
     pub(crate) start_raw: i128,
@@ -121,14 +127,18 @@ pub(crate) struct Segment {
 }
 
 impl Network {
-    pub(crate) fn new(bitrate: Option<u32>, nodes: Vec<String>, messages: Vec<Message>) -> Self {
+    pub(crate) fn new(
+        bitrate: Option<u32>,
+        (nodes, listed_nodes): (Vec<String>, usize),
+        messages: Vec<Message>,
+    ) -> Self {
         let sure = || messages.iter().enumerate().filter(|(_, message)| message.doubt.is_none());
         let by_id = sure().map(|(index, message)| (message.id, index)).collect();
         let names = messages.iter().enumerate().rev();
         let by_name = names
             .flat_map(|(index, message)| [(message.short.clone(), index), (message.name.clone(), index)])
             .collect();
-        Self { bitrate, nodes, messages, by_id, by_name }
+        Self { bitrate, nodes, listed_nodes, messages, by_id, by_name }
     }
 
     /// Returns the index of the message that a frame with `id` is: the one with this identifier, else the one of its

@@ -98,6 +98,10 @@ pub(crate) struct Places<'a> {
     /// the line of the one before.
     pub(crate) repeated: Vec<((&'a str, u64, &'a str), At, usize)>,
     pub(crate) entries: Vec<Entry<'a>>,
+    /// Byte and digits of each identifier, wherever one is named.
+    pub(crate) identifiers: Vec<(usize, &'a str)>,
+    /// Byte behind the last node of the list (`BU_`).
+    pub(crate) nodes_end: Option<usize>,
     /// Attributes by (name, message, signal).
     notes: BTreeMap<(&'a str, u64, &'a str), Note<'a>>,
     /// Value tables by (message, signal).
@@ -256,6 +260,12 @@ impl<'a> Places<'a> {
             let words = words.filter(|token| token.kind == Kind::Word).map(|token| (token.line, token.text));
             places.entries.push(Entry { start: token.start, words: words.collect() });
         }
+        let named = ["BO_", "SG_", "VAL_", "SIG_VALTYPE_", "SG_MUL_VAL_", "BO_TX_BU_", "SIG_GROUP_"];
+        for pair in walk.tokens.windows(2).filter(|pair| pair[0].kind == Kind::Word) {
+            if named.contains(&pair[0].text) && pair[1].kind == Kind::Word {
+                places.identifiers.push((pair[1].start, pair[1].text));
+            }
+        }
         for (index, message) in places.messages.iter().enumerate() {
             places.by_id.entry(message.id).or_insert(index);
         }
@@ -268,7 +278,10 @@ impl<'a> Places<'a> {
         match token.text {
             // Names of sections and nodes; lines that are indented belong to them.
             "NS_" | "BU_" => {
-                while walk.peek(0).is_some_and(|next| next.line == line || !next.leads) {
+                while let Some(next) = walk.peek(0).filter(|next| next.line == line || !next.leads) {
+                    if token.text == "BU_" {
+                        self.nodes_end = Some(next.start + next.text.len());
+                    }
                     walk.at += 1;
                 }
             }
