@@ -43,6 +43,7 @@ mod tokens;
 mod toolchain;
 mod uf2;
 mod vehicle;
+mod vehicle_new;
 mod vehicles;
 mod words;
 mod workspace;
@@ -64,7 +65,7 @@ struct Cli {
 enum Command {
     /// Builds the firmware, drives it on the virtual bench and shows the cluster on a local page.
     Run(run::Options),
-    /// Plays the virtual vehicle on a real CAN adapter, for a cluster on the desk.
+    /// Plays the virtual vehicle on a real CAN adapter, for a cluster on the desk; `vehicle new` makes one of a DBC file.
     Vehicle(vehicle::Options),
     /// Runs every test: host tests, witnesses and the firmware on the bench.
     Test(test::Options),

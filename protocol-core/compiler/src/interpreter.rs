@@ -85,6 +85,10 @@ impl RunTime {
         Ok(Self { name: name.into(), network: found.network, binding, findings: found.findings })
     }
 
+    pub(crate) fn binding(&self) -> Option<&Binding> {
+        self.binding.as_ref()
+    }
+
     /// Returns how many messages are received.
     pub fn received(&self) -> usize {
         self.binding.as_ref().map_or(0, |binding| binding.rx.len())

@@ -25,12 +25,14 @@ mod places;
 pub mod proof;
 pub mod proposal;
 mod ratio;
+mod sweep;
 mod syntax;
 mod vehicle_text;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Grade, did_you_mean};
 pub use fix::fix;
 pub use interpreter::RunTime;
+pub use names::wrong_folder;
 pub use number::Number;
 
 use std::fs;
@@ -111,7 +113,7 @@ pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
         let name = entry.file_name().to_string_lossy().into_owned();
         let files = [format!("{name}.dbc"), "vehicle.toml".into()];
         match files.map(|file| entry.path().join(file).is_file()) {
-            [true, true] => match names::wrong_folder(&name) {
+            [true, true] => match wrong_folder(&name) {
                 None => names.push(name),
                 Some(reason) => wrong.0.extend(Diagnostics::one(&format!("vehicles/{name}"), 0, reason).0),
             },

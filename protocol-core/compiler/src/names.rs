@@ -98,7 +98,7 @@ pub(crate) fn function_name(name: &str) -> String {
 }
 
 /// Returns why a folder cannot give a vehicle its name, `None` if it can: the name is that of a module.
-pub(crate) fn wrong_folder(name: &str) -> Option<&'static str> {
+pub fn wrong_folder(name: &str) -> Option<&'static str> {
     let is_plain = |letter: char| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_';
     if !name.starts_with(|first: char| first.is_ascii_lowercase()) || !name.chars().all(is_plain) {
         return Some("a vehicle's folder is named with a to z, 0 to 9 and _, a letter first");
