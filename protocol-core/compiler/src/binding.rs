@@ -171,15 +171,27 @@ pub(crate) fn read(file: &str, text: &str, dbc: &str, network: &Network) -> Resu
     reader.report.finish().or(binding)
 }
 
+/// What `vehicle.toml` says of a signal in the place of the DBC.
+#[derive(Default)]
+struct Said {
+    unit: Option<String>,
+    factor: Option<Ratio>,
+    offset: Option<Ratio>,
+    /// The sign of the physical value is turned.
+    negate: bool,
+}
+
 /// Returns factor and offset of a signal in counts of the model, if they have at most 37 digits.
-fn scaled_by(signal: &Signal, counts: Ratio) -> Option<(Ratio, Ratio)> {
-    Some((signal.factor.checked_mul(counts)?, signal.offset.checked_mul(counts)?))
+fn scaled_by(signal: &Signal, said: &Said, counts: Ratio) -> Option<(Ratio, Ratio)> {
+    let (factor, offset) = (said.factor.unwrap_or(signal.factor), said.offset.unwrap_or(signal.offset));
+    let counts = if said.negate { Ratio { num: -counts.num, ..counts } } else { counts };
+    Some((factor.checked_mul(counts)?, offset.checked_mul(counts)?))
 }
 
 /// Returns the model counts of a signal as a function of its raw value, and by how many counts that is off at most; `None`
 /// if they do not fit in 31 bits over the whole valid range.
-fn near_scale(signal: &Signal, counts: Ratio) -> Option<(Linear, f64)> {
-    let scale = scaled_by(signal, counts).and_then(|(factor, shift)| {
+fn near_scale(signal: &Signal, said: &Said, counts: Ratio) -> Option<(Linear, f64)> {
+    let scale = scaled_by(signal, said, counts).and_then(|(factor, shift)| {
         let span = if signal.number.is_float() { (0, 0) } else { signal.range };
         Linear::near(factor, shift, span)
     });
@@ -196,7 +208,7 @@ fn near_scale(signal: &Signal, counts: Ratio) -> Option<(Linear, f64)> {
 
 /// Does what [`near_scale`] does for a value of the model; `None` too if the unit is another one.
 pub(crate) fn scale_of(value: Value, signal: &Signal) -> Option<(Linear, f64)> {
-    near_scale(signal, counts_per(value.unit(), &signal.unit)?)
+    near_scale(signal, &Said::default(), counts_per(value.unit(), &signal.unit)?)
 }
 
 struct Reader<'a> {
@@ -451,7 +463,7 @@ impl Reader<'_> {
                 continue;
             }
             let mut enabled = true;
-            let mut timeout = None;
+            let (mut cycle, mut timeout) = (None, None);
             let mut row = Rx {
                 message: index,
                 node,
@@ -467,18 +479,23 @@ impl Reader<'_> {
                     "expected" => row.expected = self.flag(value),
                     "checksum" => row.checksum = self.checksum(value, message),
                     "len" => row.len = self.number(value, 0..=i64::from(message.len)) as u8,
+                    "cycle_ms" => cycle = Some(self.number(value, 1..=60_000) as u32),
                     "timeout_ms" => timeout = Some(self.number(value, 50..=600_000) as u32),
                     _ => self.paths(String::new(), key, value, message, maps, &mut row.values),
                 }
             }
-            row.timeout_ms = timeout.unwrap_or(usual_timeout(message));
+            let usual = cycle.map_or(usual_timeout(message), |cycle| (5 * cycle).max(SHORTEST_TIMEOUT_MS));
+            row.timeout_ms = timeout.unwrap_or(usual);
             if row.checksum.is_some_and(|checksum| row.len < checksum.len) {
                 let text =
                     format!("`len` of `{}` cuts its checksum off: it covers the whole frame", message.name);
                 self.report.offset(name.span().start, text);
             }
-            if timeout.is_none() && message.slow_cycle_ms == 0 {
-                let text = format!("`{}` has no cycle time in the DBC: set `timeout_ms`", message.name);
+            if timeout.is_none() && cycle.is_none() && message.slow_cycle_ms == 0 {
+                let text = format!(
+                    "`{}` has no cycle time in the DBC: set `cycle_ms` or `timeout_ms`",
+                    message.name
+                );
                 self.report.offset(name.span().start, text);
             }
             row.values.sort_by_key(|value| value.value);
@@ -524,7 +541,8 @@ impl Reader<'_> {
                 }
             }
             _ => {
-                const OPTIONS: [&str; 5] = ["checksum", "enabled", "expected", "len", "timeout_ms"];
+                const OPTIONS: [&str; 6] =
+                    ["checksum", "cycle_ms", "enabled", "expected", "len", "timeout_ms"];
                 let known = Value::ALL.iter().map(|value| value.path()).chain(OPTIONS);
                 self.unknown(key.span().start, "model value", &path, known);
             }
@@ -710,8 +728,10 @@ impl Reader<'_> {
         for value in bound[2..].iter().flatten().filter(|value| value.unit() != Unit::Count) {
             self.report.offset(here, format!("`{}` does not count", value.path()));
         }
-        let scales =
-            [bound[0], bound[1]].into_iter().flatten().map(|value| self.scale(value, signals[0], here));
+        let scales = [bound[0], bound[1]]
+            .into_iter()
+            .flatten()
+            .map(|value| self.scale(value, signals[0], &Said::default(), here));
         let scales: Vec<Option<Linear>> = scales.map(|scale| scale.map(|(linear, _)| linear)).collect();
         if scales.windows(2).any(|pair| pair[0] != pair[1]) {
             self.report.offset(here, "`highest` and `lowest` are values of different units");
@@ -787,9 +807,11 @@ impl Reader<'_> {
         message: &Message,
         maps: &Maps<'_>,
     ) -> Option<Term> {
-        const KEYS: [&str; 5] = ["magnitude", "map", "other", "round", "signal"];
+        const KEYS: [&str; 9] =
+            ["factor", "magnitude", "map", "negate", "offset", "other", "round", "signal", "unit"];
         let mut name = None;
         let (mut nearest, mut magnitude) = (false, false);
+        let mut said = Said::default();
         let (mut map, mut other): (Option<Vec<Entry<'_>>>, _) = (None, None);
         match at.get_ref() {
             DeValue::String(text) => name = Some((text.to_string(), at.span().start)),
@@ -799,6 +821,10 @@ impl Reader<'_> {
                         "signal" => name = Some((self.text(value_at), value_at.span().start)),
                         "round" => nearest = self.rounding(value_at),
                         "magnitude" => magnitude = self.flag(value_at),
+                        "negate" => said.negate = self.flag(value_at),
+                        "unit" => said.unit = Some(self.text(value_at)),
+                        "factor" => said.factor = self.decimal(value_at),
+                        "offset" => said.offset = self.decimal(value_at),
                         "map" => map = self.map(value_at, maps),
                         "other" => other = self.state(value, value_at),
                         key_name => self.unknown(key.span().start, "key", key_name, KEYS.into_iter()),
@@ -825,13 +851,26 @@ impl Reader<'_> {
             }
             How::Mapped { states, other }
         } else {
-            let (linear, off) = self.scale(value, signal, at.span().start)?;
+            let (linear, off) = self.scale(value, signal, &said, at.span().start)?;
             match signal.number.is_float() {
                 true => How::Float { linear, nearest, magnitude },
                 false => How::Scaled { linear, nearest, magnitude, off },
             }
         };
         Some(Term { signal: index, how })
+    }
+
+    /// Reads a number with a point or without, exactly.
+    fn decimal(&mut self, at: &Spanned<DeValue<'_>>) -> Option<Ratio> {
+        let number = match at.get_ref() {
+            DeValue::Integer(integer) => Ratio::parse(integer.as_str()),
+            DeValue::Float(float) => Ratio::parse(float.as_str()),
+            _ => None,
+        };
+        if number.is_none() {
+            self.wrong(at, "a decimal number");
+        }
+        number
     }
 
     fn rounding(&mut self, at: &Spanned<DeValue<'_>>) -> bool {
@@ -961,19 +1000,19 @@ impl Reader<'_> {
     }
 
     /// Returns model counts as a function of the raw value, and by how many counts it is off at most.
-    fn scale(&mut self, value: Value, signal: &Signal, offset: usize) -> Option<(Linear, f64)> {
-        let Some(counts) = counts_per(value.unit(), &signal.unit) else {
+    fn scale(&mut self, value: Value, signal: &Signal, said: &Said, offset: usize) -> Option<(Linear, f64)> {
+        let unit = said.unit.as_ref().unwrap_or(&signal.unit);
+        let Some(counts) = counts_per(value.unit(), unit) else {
             let text = format!(
-                "`{}` is measured in {}, but `{}` has the unit \"{}\"",
+                "`{}` is measured in {}, but `{}` has the unit \"{unit}\"",
                 value.path(),
                 accepted(value.unit()).join(" or "),
                 signal.name,
-                signal.unit
             );
             self.report.offset(offset, text);
             return None;
         };
-        let scale = near_scale(signal, counts);
+        let scale = near_scale(signal, said, counts);
         if scale.is_none() {
             let text = format!("`{}` does not fit in 31 bits of `{}`", signal.name, value.path());
             self.report.offset(offset, text);
@@ -1123,10 +1162,10 @@ impl Reader<'_> {
     ) -> Option<HowBack> {
         let counts = counts_per(value.unit(), &signal.unit);
         let Some(counts) = counts else {
-            self.scale(value, signal, offset);
+            self.scale(value, signal, &Said::default(), offset);
             return None;
         };
-        let back = scaled_by(signal, counts).and_then(|(factor, _)| {
+        let back = scaled_by(signal, &Said::default(), counts).and_then(|(factor, _)| {
             let offset = Ratio::ZERO.checked_sub(signal.offset)?.checked_div(signal.factor)?;
             Some((Ratio::whole(1).checked_div(factor)?, offset))
         });

@@ -100,6 +100,8 @@ struct Gate<'a> {
     /// `SG_MUL_VAL_` by message and signal.
     ranges: BTreeMap<u64, BTreeMap<&'a str, &'a MuxValues<'a>>>,
     frame_formats: Vec<&'a str>,
+    /// What is given twice, by message and signal: name, place, line of the one before.
+    repeated: BTreeMap<(u64, &'a str), Vec<(&'a str, At, usize)>>,
 }
 
 impl<'a> Gate<'a> {
@@ -114,10 +116,15 @@ impl<'a> Gate<'a> {
         for values in &places.mux_values {
             ranges.entry(values.message).or_default().insert(values.signal, values);
         }
+        let mut repeated: BTreeMap<(u64, &str), Vec<(&str, At, usize)>> = BTreeMap::new();
+        for ((name, message, signal), at, first) in &places.repeated {
+            repeated.entry((*message, *signal)).or_default().push((name, *at, *first));
+        }
         Self {
             dbc,
             places,
             report,
+            repeated,
             // The first of several holds, as everywhere.
             defaults: dbc
                 .attribute_defaults
@@ -287,8 +294,8 @@ impl<'a> Gate<'a> {
 
     /// Returns the first of these attributes that is given twice, and the doubt that this raises.
     fn repeated(&self, names: &[&str], message: u64, signal: &str) -> Option<(&'a str, Doubt)> {
-        let mut of = self.places.repeated.iter().filter(|((_, id, of), ..)| (*id, *of) == (message, signal));
-        let ((name, ..), at, first) = of.find(|((name, ..), ..)| names.contains(name))?;
+        let of = self.repeated.get(&(message, signal))?;
+        let (name, at, first) = of.iter().find(|(name, ..)| names.contains(name))?;
         let what = if *name == "VAL_" { "this value table" } else { name };
         Some((name, Doubt { at: *at, text: format!("{what} is given before, in line {first}") }))
     }

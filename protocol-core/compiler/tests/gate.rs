@@ -333,12 +333,12 @@ fn a_range_beyond_the_bits_is_limited_to_them() {
 
 #[test]
 fn a_long_factor_is_taken_as_the_nearest_short_one_with_its_error() {
-    let dbc = replaced("(0.5,0) [0|100]", "(0.39215686275,0) [0|0]");
+    let dbc = replaced("(0.5,0) [0|100]", "(0.3921568627455,0) [0|0]");
     let soc = "[rx.Status]\nbattery.soc = \"soc\"";
-    let comment = "// The factor as a short fraction: at most 1.";
-    assert!(text(&dbc, soc).lines().any(|line| line.contains(comment) && line.ends_with("e-8 counts off.")));
+    let comment = "// The factor as a short fraction: at most ";
+    assert!(text(&dbc, soc).lines().any(|line| line.contains(comment) && line.ends_with("e-9 counts off.")));
     for raw in 0..=255u8 {
-        let expected = (f64::from(raw) * 3.9215686275 + 1e-9).floor() as i32;
+        let expected = (f64::from(raw) * 3.921568627455 + 1e-9).floor() as i32;
         assert_eq!(
             status(&dbc, soc, [1, raw, 0, 0, 0, 0, 0, 0]),
             only("battery.soc", Some(expected)),
