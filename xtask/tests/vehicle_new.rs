@@ -90,6 +90,22 @@ fn a_hostile_file_becomes_a_vehicle_that_drives() {
 }
 
 #[test]
+fn the_steps_of_the_page_work_with_a_hostile_file() {
+    let page = std::fs::read_to_string(surroundings::root().join("docs/add-your-vehicle.md")).expect("the page");
+    let (_, block) = page.split_once("```steps\n").expect("the block of steps");
+    let steps: Vec<&str> = block.lines().take_while(|line| *line != "```").collect();
+    assert_eq!(steps.len(), 4, "{steps:?}");
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("my.dbc"), HOSTILE).expect("can be written");
+    for step in steps {
+        let arguments = step.strip_prefix("cargo xtask ").expect("a command of this program").split(' ');
+        let output = xtask().args(arguments).current_dir(folder.path()).output().expect("it starts");
+        assert!(output.status.success(), "{step}: {}", said(&output));
+        assert!(!output.stdout.is_empty(), "{step} says something");
+    }
+}
+
+#[test]
 fn two_messages_on_one_identifier_are_not_bound() {
     let folder = tempfile::tempdir().expect("a folder");
     let told = made(folder.path(), HOSTILE);

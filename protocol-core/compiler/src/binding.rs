@@ -206,9 +206,10 @@ fn near_scale(signal: &Signal, said: &Said, counts: Ratio) -> Option<(Linear, f6
     scale.filter(fits)
 }
 
-/// Does what [`near_scale`] does for a value of the model; `None` too if the unit is another one.
-pub(crate) fn scale_of(value: Value, signal: &Signal) -> Option<(Linear, f64)> {
-    near_scale(signal, &Said::default(), counts_per(value.unit(), &signal.unit)?)
+/// Does what [`near_scale`] does for a value of the model, with a unit of which one of the signal's is `times`; `None` too
+/// if the unit is another one.
+pub(crate) fn scale_of(value: Value, signal: &Signal, (unit, times): (&str, Ratio)) -> Option<(Linear, f64)> {
+    near_scale(signal, &Said::default(), counts_per(value.unit(), unit)?.checked_mul(times)?)
 }
 
 struct Reader<'a> {
@@ -807,11 +808,11 @@ impl Reader<'_> {
         message: &Message,
         maps: &Maps<'_>,
     ) -> Option<Term> {
-        const KEYS: [&str; 9] =
-            ["factor", "magnitude", "map", "negate", "offset", "other", "round", "signal", "unit"];
+        const KEYS: [&str; 10] =
+            ["factor", "magnitude", "map", "negate", "offset", "other", "round", "signal", "unit", "when"];
         let mut name = None;
         let (mut nearest, mut magnitude) = (false, false);
-        let mut said = Said::default();
+        let (mut said, mut when) = (Said::default(), None);
         let (mut map, mut other): (Option<Vec<Entry<'_>>>, _) = (None, None);
         match at.get_ref() {
             DeValue::String(text) => name = Some((text.to_string(), at.span().start)),
@@ -821,6 +822,7 @@ impl Reader<'_> {
                         "signal" => name = Some((self.text(value_at), value_at.span().start)),
                         "round" => nearest = self.rounding(value_at),
                         "magnitude" => magnitude = self.flag(value_at),
+                        "when" => when = Some(value_at),
                         "negate" => said.negate = self.flag(value_at),
                         "unit" => said.unit = Some(self.text(value_at)),
                         "factor" => said.factor = self.decimal(value_at),
@@ -839,10 +841,19 @@ impl Reader<'_> {
         };
         let index = self.signal(&name, offset, message)?;
         let signal = &message.signals[index];
-        if value.unit() == Unit::Bits && signal.length != 1 {
-            self.report.offset(offset, format!("`{name}` has {} bits, one is needed", signal.length));
+        if value.unit() == Unit::Bits && signal.length != 1 && when.is_none() {
+            let advice = "say at which values the bit is set: `when = [2, 3]`";
+            self.report.offset(offset, format!("`{name}` has {} bits: {advice}", signal.length));
         }
-        let how = if value.unit() == Unit::Bits {
+        if let Some(when) = when.filter(|_| value.unit() != Unit::Bits) {
+            self.report.offset(
+                when.span().start,
+                format!("`{}` is no list of bits: `when` says nothing", value.path()),
+            );
+        }
+        let how = if let (Unit::Bits, Some(when)) = (value.unit(), when) {
+            How::Mapped { states: self.set_at(when, signal), other: Some(0) }
+        } else if value.unit() == Unit::Bits {
             How::Mapped { states: plain_flag(), other: None }
         } else if map.is_some() || value.unit().kind().is_some() {
             let mut states = self.states(value, signal, map.unwrap_or_default(), at.span().start)?;
@@ -858,6 +869,33 @@ impl Reader<'_> {
             }
         };
         Some(Term { signal: index, how })
+    }
+
+    /// Reads the raw values, as numbers or words of the value table, at which a bit is set.
+    fn set_at(&mut self, at: &Spanned<DeValue<'_>>, signal: &Signal) -> States {
+        let mut states = States::new();
+        let DeValue::Array(list) = at.get_ref() else {
+            self.wrong(at, "a list of raw values or words");
+            return states;
+        };
+        if list.is_empty() {
+            self.report.offset(at.span().start, "a bit that is never set says nothing: name a raw value");
+        }
+        for at in list.iter() {
+            let (lowest, highest) = signal.short_span();
+            if let DeValue::String(word) = at.get_ref() {
+                let raws = signal.values.iter().filter(|(_, known)| known == word).map(|(raw, _)| *raw);
+                let before = states.len();
+                states.extend(raws.map(|raw| (raw, Some(1))));
+                if states.len() == before {
+                    let known = signal.values.iter().map(|(_, word)| word.as_str());
+                    self.unknown(at.span().start, &format!("value of `{}` called", signal.name), word, known);
+                }
+            } else {
+                states.insert(self.number(at, lowest..=highest), Some(1));
+            }
+        }
+        states
     }
 
     /// Reads a number with a point or without, exactly.

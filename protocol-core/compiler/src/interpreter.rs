@@ -259,7 +259,9 @@ fn life(message: &Message) -> Option<Life> {
 fn number(value: &RxValue, message: &Message, data: &[u8; 8]) -> Option<i32> {
     let raw = |term: &Term| message.signals[term.signal].raw(data);
     if value.value.unit() == Unit::Bits {
-        let bits = value.terms.iter().enumerate().map(|(bit, term)| i32::from(raw(term) != 0) << bit);
+        let is_set =
+            |term: &Term| counts(term, &message.signals[term.signal], raw(term)).is_some_and(|bit| bit != 0);
+        let bits = value.terms.iter().enumerate().map(|(bit, term)| i32::from(is_set(term)) << bit);
         return Some(bits.fold(0, |all, bit| all | bit));
     }
     // Of several, the worst: one that is invalid is less than all states.

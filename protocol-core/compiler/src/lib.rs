@@ -25,6 +25,7 @@ mod places;
 pub mod proof;
 pub mod proposal;
 mod ratio;
+mod spelling;
 mod sweep;
 mod syntax;
 mod vehicle_text;

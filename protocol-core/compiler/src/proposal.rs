@@ -4,12 +4,15 @@
 //! are known. What is proposed is a guess by words, and stands in the file with the comment of the signal for a person to
 //! read. Values of which several signals are as good get the first in the order of the file.
 
-use crate::binding::NOBODY;
+use crate::binding::{NOBODY, scale_of};
 use crate::diagnostics::Diagnostics;
 use crate::encoding;
 use crate::gate;
 use crate::meaning::{counts_per, states};
 use crate::network::{Message, Network, Signal};
+use crate::number;
+use crate::ratio::Ratio;
+use crate::spelling;
 use protocol_core::model::{Unit, Value};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -184,16 +187,15 @@ fn fits(value: Value, signal: &Signal, words: &[&str], not: &[&str]) -> bool {
         signal.values.iter().filter(of_state).count() >= 2 && !signal.number.is_float()
     };
     let measures = || {
-        value.unit() != Unit::Count
-            && counts_per(value.unit(), &signal.unit).is_some()
-            && can_scale(value, signal)
+        let fits = |unit| scale_of(value, signal, unit).is_some();
+        value.unit() != Unit::Count && unit_of(signal).is_some_and(fits)
     };
     if is_state { words_are_known() } else { signal.length > 1 && measures() }
 }
 
-/// Returns whether the whole valid range fits the model.
-fn can_scale(value: Value, signal: &Signal) -> bool {
-    crate::binding::scale_of(value, signal).is_some()
+/// Returns the unit of a signal as the model writes it, and how many of it one is.
+fn unit_of(signal: &Signal) -> Option<(&'static str, Ratio)> {
+    spelling::unit(&signal.unit)
 }
 
 /// Returns a name in small letters with `_` between its words.
@@ -230,7 +232,11 @@ fn text(name: &str, network: &Network, found: &[Found]) -> String {
         for found in found {
             let signal = &message.signals[found.signal];
             let path = found.value.path();
-            if found.value.unit().kind().is_none() || found.unknown.is_empty() {
+            if found.value.unit().kind().is_none() {
+                let _ = writeln!(out, "{path} = {}", measured(found.value, signal));
+                continue;
+            }
+            if found.unknown.is_empty() {
                 let _ = writeln!(out, "{path} = {:?}", signal.name);
                 continue;
             }
@@ -241,4 +247,21 @@ fn text(name: &str, network: &Network, found: &[Found]) -> String {
         }
     }
     out
+}
+
+/// Returns the binding of a quantity: the signal, and what the DBC says in other words or in another unit.
+fn measured(value: Value, signal: &Signal) -> String {
+    let name = &signal.name;
+    match unit_of(signal) {
+        Some((unit, times)) if counts_per(value.unit(), &signal.unit).is_none() => {
+            let said =
+                |of: Ratio| of.checked_mul(times).and_then(number::plain).unwrap_or_else(|| "0".into());
+            let scale = match times == Ratio::whole(1) {
+                true => String::new(),
+                false => format!(", factor = {}, offset = {}", said(signal.factor), said(signal.offset)),
+            };
+            format!("{{ signal = {name:?}, unit = {unit:?}{scale} }}")
+        }
+        _ => format!("{name:?}"),
+    }
 }

@@ -189,8 +189,16 @@ fn plain_bit(term: &Term, message: &Message) -> Option<(u8, u8)> {
 /// Returns bits of several signals as one number: neighbours move together.
 fn gathered(value: &RxValue, message: &Message) -> String {
     let mut runs: BTreeMap<(u8, i16), u8> = BTreeMap::new();
+    let mut parts = Vec::new();
     for (index, term) in value.terms.iter().enumerate() {
-        let segment = message.signals[term.signal].segments()[0];
+        let signal = &message.signals[term.signal];
+        if let How::Mapped { states, other: Some(0) } = &term.how {
+            let raws: Vec<String> = states.keys().map(i64::to_string).collect();
+            let is_set = format!("matches!(frame.{}_raw(), {})", signal.function, raws.join(" | "));
+            parts.push(format!("({is_set} as i32) << {index}"));
+            continue;
+        }
+        let segment = signal.segments()[0];
         *runs.entry((segment.byte, index as i16 - i16::from(segment.low))).or_default() |= 1 << segment.low;
     }
     let run = |((byte, shift), mask): (&(u8, i16), &u8)| {
@@ -204,7 +212,8 @@ fn gathered(value: &RxValue, message: &Message) -> String {
             ..0 => format!("({part}) >> {}", -shift),
         }
     };
-    runs.iter().map(run).collect::<Vec<_>>().join(" | ")
+    parts.extend(runs.iter().map(run));
+    parts.join(" | ")
 }
 
 fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: &RxValue) {

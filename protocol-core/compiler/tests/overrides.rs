@@ -84,3 +84,31 @@ fn what_is_said_wrongly_is_told_with_its_line() {
         "vehicle.toml:1: car.dbc does not say the bit rate (BusSpeed): write `bitrate = 500000` here"
     );
 }
+
+#[test]
+fn a_field_of_two_bits_is_a_bit_for_each_level() {
+    let words = DBC.to_owned() + "VAL_ 1 warm 1 \"high\" 2 \"too high\" 3 \"too high\" ;\n";
+    let alarms = |entries: &str| toml(&format!("battery.alarms = [{entries}]"));
+    let entries = "{ signal = \"warm\", when = [\"high\"] }, { signal = \"warm\", when = [\"too high\", 9] }";
+    let text = alarms(entries);
+    let car = RunTime::of_texts("car", ("car.dbc", &words), Some(("vehicle.toml", &text)))
+        .unwrap_or_else(|error| panic!("{error}"));
+    for (raw, bits) in [(0, 0), (1, 1), (2, 2), (3, 2), (4, 0), (9, 2), (255, 0)] {
+        let mut readings = Readings::new();
+        car.decode(0, &[0, 0, 0, 0, raw, 0, 0, 0], &mut readings);
+        assert_eq!(readings.get(Value::BatteryAlarms), Some((Reading::Valid(bits), 0)), "{raw}");
+    }
+    let wrong = |entries: &str| {
+        let text = alarms(entries);
+        let read = RunTime::of_texts("car", ("car.dbc", &words), Some(("vehicle.toml", &text)));
+        read.err().map(|wrong| wrong.to_string()).unwrap_or_default()
+    };
+    assert_eq!(
+        wrong("\"warm\""),
+        "vehicle.toml:9: `warm` has 8 bits: say at which values the bit is set: `when = [2, 3]`"
+    );
+    assert_eq!(
+        wrong("{ signal = \"warm\", when = [\"hihg\"] }"),
+        "vehicle.toml:9: no value of `warm` called `hihg`; did you mean `high`?"
+    );
+}
