@@ -258,6 +258,38 @@ impl Eec1 {
     /// Returns a frame with no signal set: reserved bytes at their fill value.
     pub const fn new() -> Self { Self([0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00]) }
 
+    /// Returns `overheat` as sent: 2 bits from bit 0.
+    #[inline(always)]
+    pub const fn overheat_raw(self) -> u8 { self.0[0] & 0x03 }
+    /// Returns the value, 0 to 3; `None` if not valid.
+    #[inline(always)]
+    pub const fn overheat(self) -> Option<i32> {
+        let raw = self.overheat_raw();
+        Some(raw as i32)
+    }
+    /// Returns the frame with `overheat` set to the low bits of `raw`.
+    #[inline(always)]
+    pub const fn with_overheat_raw(mut self, raw: u8) -> Self {
+        self.0[0] = self.0[0] & 0xFC | raw & 0x03;
+        self
+    }
+
+    /// Returns `leak` as sent: 3 bits from bit 2.
+    #[inline(always)]
+    pub const fn leak_raw(self) -> i8 { (((self.0[0] >> 2 & 0x07) << 5) as i8) >> 5 }
+    /// Returns the value, -4 to 3; `None` if not valid.
+    #[inline(always)]
+    pub const fn leak(self) -> Option<i32> {
+        let raw = self.leak_raw();
+        Some(raw as i32)
+    }
+    /// Returns the frame with `leak` set to the low bits of `raw`.
+    #[inline(always)]
+    pub const fn with_leak_raw(mut self, raw: i8) -> Self {
+        self.0[0] = self.0[0] & 0xE3 | ((raw as u8) & 0x07) << 2;
+        self
+    }
+
     /// Returns `torque` as sent: 8 bits from bit 16.
     #[inline(always)]
     pub const fn torque_raw(self) -> u8 { self.0[2] }
@@ -340,7 +372,9 @@ fn set_long(index: usize, data: [u8; 8], raw: i64) -> [u8; 8] {
 fn get_eec1(index: usize, data: [u8; 8]) -> Option<Got> {
     let frame = Eec1(data);
     Some(match index {
-        0 => (frame.torque_raw() as i64, frame.torque().map(|value| value as i64)),
+        0 => (frame.overheat_raw() as i64, frame.overheat().map(|value| value as i64)),
+        1 => (frame.leak_raw() as i64, frame.leak().map(|value| value as i64)),
+        2 => (frame.torque_raw() as i64, frame.torque().map(|value| value as i64)),
         _ => return None,
     })
 }
@@ -348,7 +382,9 @@ fn get_eec1(index: usize, data: [u8; 8]) -> Option<Got> {
 fn set_eec1(index: usize, data: [u8; 8], raw: i64) -> [u8; 8] {
     let frame = Eec1(data);
     match index {
-        0 => frame.with_torque_raw(raw as u8).0,
+        0 => frame.with_overheat_raw(raw as u8).0,
+        1 => frame.with_leak_raw(raw as i8).0,
+        2 => frame.with_torque_raw(raw as u8).0,
         _ => data,
     }
 }
@@ -374,6 +410,8 @@ static LONG_SIGNALS: &[SignalInfo] = &[
 ];
 
 static EEC1_SIGNALS: &[SignalInfo] = &[
+    SignalInfo { name: "overheat", start: 0, length: 2, order: Order::Intel, signed: false, scale: Scale { mul: 1, add: 0, den: 1 }, unit: "", range: (0, 3), start_raw: 0, invalid_raw: None, mux: Mux::Always, life: None, values: &[(0, "none"), (1, "warning"), (2, "stop"), (3, "stop")] },
+    SignalInfo { name: "leak", start: 2, length: 3, order: Order::Intel, signed: true, scale: Scale { mul: 1, add: 0, den: 1 }, unit: "", range: (-4, 3), start_raw: 0, invalid_raw: None, mux: Mux::Always, life: None, values: &[] },
     SignalInfo { name: "torque", start: 16, length: 8, order: Order::Intel, signed: false, scale: Scale { mul: 1, add: -125, den: 1 }, unit: "Nm", range: (0, 250), start_raw: 0, invalid_raw: None, mux: Mux::Always, life: None, values: &[] },
 ];
 
@@ -405,6 +443,9 @@ static TX: &[TxMessage] = &[
 
 /// Texts of the fault codes, sorted by source and code.
 pub static FAULTS: &[FaultText] = &[
+    FaultText { source: Node::Vcu, code: 1, severity: Some(Severity::Warn), fire: false, limps: false, zh: "电机过热", en: "Motor hot" },
+    FaultText { source: Node::Vcu, code: 2, severity: Some(Severity::Stop), fire: false, limps: false, zh: "电机严重过热", en: "Motor too hot" },
+    FaultText { source: Node::Vcu, code: 3, severity: Some(Severity::Derate), fire: false, limps: false, zh: "泄漏", en: "Leak" },
 ];
 
 static NODES: &[NodeName] = &[
@@ -480,6 +521,7 @@ fn decode_eec1(source: u8, data: &[u8; 8], readings: &mut Readings) {
     let frame = Eec1(*data);
     let raw = frame.torque_raw();
     readings.put(source, Value::MotorTorque, (raw as i32) * 10 - 1250, raw <= 250);
+    readings.put(source, Value::MotorAlarms, (matches!(frame.overheat_raw(), 1) as i32) << 0 | (matches!(frame.overheat_raw(), 2 | 3) as i32) << 1 | (matches!(frame.leak_raw(), -4 | 3) as i32) << 2, true);
 }
 
 static DECODERS: [fn(u8, &[u8; 8], &mut Readings); 6] = [
