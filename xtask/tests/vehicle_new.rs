@@ -91,7 +91,8 @@ fn a_hostile_file_becomes_a_vehicle_that_drives() {
 
 #[test]
 fn the_steps_of_the_page_work_with_a_hostile_file() {
-    let page = std::fs::read_to_string(surroundings::root().join("docs/add-your-vehicle.md")).expect("the page");
+    let page =
+        std::fs::read_to_string(surroundings::root().join("docs/add-your-vehicle.md")).expect("the page");
     let (_, block) = page.split_once("```steps\n").expect("the block of steps");
     let steps: Vec<&str> = block.lines().take_while(|line| *line != "```").collect();
     assert_eq!(steps.len(), 4, "{steps:?}");

@@ -90,6 +90,9 @@ enum Said<'a> {
     Float(f64),
 }
 
+/// Name and place of what is given again, and the line of the one before.
+type Again<'a> = (&'a str, At, usize);
+
 struct Gate<'a> {
     dbc: &'a Dbc,
     places: &'a Places<'a>,
@@ -101,7 +104,7 @@ struct Gate<'a> {
     ranges: BTreeMap<u64, BTreeMap<&'a str, &'a MuxValues<'a>>>,
     frame_formats: Vec<&'a str>,
     /// What is given twice, by message and signal: name, place, line of the one before.
-    repeated: BTreeMap<(u64, &'a str), Vec<(&'a str, At, usize)>>,
+    repeated: BTreeMap<(u64, &'a str), Vec<Again<'a>>>,
 }
 
 impl<'a> Gate<'a> {
@@ -116,7 +119,7 @@ impl<'a> Gate<'a> {
         for values in &places.mux_values {
             ranges.entry(values.message).or_default().insert(values.signal, values);
         }
-        let mut repeated: BTreeMap<(u64, &str), Vec<(&str, At, usize)>> = BTreeMap::new();
+        let mut repeated: BTreeMap<(u64, &str), Vec<Again<'_>>> = BTreeMap::new();
         for ((name, message, signal), at, first) in &places.repeated {
             repeated.entry((*message, *signal)).or_default().push((name, *at, *first));
         }

@@ -4,8 +4,8 @@
 //! compares them (`xtask/tests/run_time.rs`). Nothing here is fast.
 
 use crate::binding::{self, Binding, How, HowBack, RxValue, StreamRow, Term, TxSignal};
-use crate::diagnostics::{Diagnostics, Grade};
-use crate::network::{Message, Network, Signal};
+use crate::diagnostics::{Diagnostic, Diagnostics, Grade};
+use crate::network::{Condition, Message, Network, Signal};
 use crate::number::Number;
 use crate::ratio::Linear;
 use crate::{encoding, gate};
@@ -48,12 +48,9 @@ impl RunTime {
         let (file, text, note) = text(path)?;
         let found = gate::read(&file, &text)?;
         let mut findings = found.findings;
-        findings.0.extend(
-            note.map(|note| crate::Diagnostic {
-                grade: Grade::Note,
-                ..crate::Diagnostic::new(&file, 0, note)
-            }),
-        );
+        findings
+            .0
+            .extend(note.map(|note| Diagnostic { grade: Grade::Note, ..Diagnostic::new(&file, 0, note) }));
         let name = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         Ok(Self { name, network: found.network, binding: None, findings })
     }
@@ -100,9 +97,8 @@ impl RunTime {
         let Some(row) = row else { return };
         let message = &self.network.messages[row.message];
         for value in &row.values {
-            let holds = |condition: &crate::network::Condition| {
-                condition.holds(message.signals[condition.selector].raw(data))
-            };
+            let holds =
+                |condition: &Condition| condition.holds(message.signals[condition.selector].raw(data));
             if value.when(message).iter().all(holds) {
                 let number = number(value, message, data);
                 readings.put(index, value.value, number.unwrap_or(0), number.is_some());
@@ -296,10 +292,7 @@ fn counts(term: &Term, signal: &Signal, raw: i128) -> Option<i32> {
 
 /// Returns the raw value that a model value is sent as.
 fn raw(bound: &TxSignal, signal: &Signal, values: &Readings) -> i64 {
-    let known = match values.get(bound.value) {
-        Some((Reading::Valid(number), _)) => number,
-        _ => return bound.missing,
-    };
+    let Some((Reading::Valid(known), _)) = values.get(bound.value) else { return bound.missing };
     let scaled = |linear: &Linear, nearest: bool, low: i64, high: i64| {
         let add = if nearest { linear.add + linear.den / 2 } else { linear.add };
         codec::scaled(known, linear.mul, add, linear.den, low, high)

@@ -125,10 +125,8 @@ fn check_ranges(network: &Network, places: &Places<'_>, report: &mut Report<'_>)
                 .note(signal.at, format!("signal `{}` has the range [0|0]: say what is valid", signal.name));
             continue;
         }
-        for (limit, written) in
-            [(low, minimum), (high, maximum)].into_iter().filter(|(limit, _)| !is_on_grid(signal, *limit))
-        {
-            let _ = limit;
+        let limits = [(low, minimum), (high, maximum)];
+        for (_, written) in limits.into_iter().filter(|(limit, _)| !is_on_grid(signal, *limit)) {
             let text = format!(
                 "limit {written} of `{}` cannot be reached with factor {factor} and offset {offset}",
                 signal.name

@@ -30,9 +30,11 @@ pub struct Proposal {
     pub note: Option<String>,
 }
 
+type Lists = &'static [&'static [&'static str]];
+
 /// The commonest values, with words of the names of their signals: all words of one list must be in the name, none of
 /// the second. The order of the lists is that of trust.
-const COMMON: [(Value, &[&[&str]], &[&str]); 10] = [
+const COMMON: [(Value, Lists, &[&str]); 10] = [
     (
         Value::VehicleSpeed,
         &[
