@@ -168,13 +168,14 @@ impl<'a> Gate<'a> {
                 self.report.note(*at, format!("{name} is given before, in line {first}"));
             }
         }
-        let mut lines: BTreeMap<u64, usize> = BTreeMap::new();
+        let mut lines: BTreeMap<u32, usize> = BTreeMap::new();
         let mut messages: Vec<Message> = Vec::new();
         let mut names: BTreeMap<String, usize> = BTreeMap::new();
         let mut unknown_senders = BTreeSet::new();
         for (message, place) in placed(dbc, places) {
             let mut read = self.message(message, place);
-            if let Some(first) = lines.insert(place.id, place.at.line) {
+            // Of a group the identifier is without priority and source: two may be one.
+            if let (None, Some(first)) = (&read.doubt, lines.insert(read.id, place.at.line)) {
                 let text = format!("identifier {} is used before, in line {first}", place.id);
                 self.report.warning(place.at, text.clone());
                 let doubt = Doubt { at: place.at, text };

@@ -240,6 +240,14 @@ fn a_j1939_group_is_heard_from_any_source_with_any_priority() {
     for id in [0x0CF0_0500, 0x0DF0_0400] {
         assert_eq!(heard(id), None, "{id:08X}");
     }
+    // The same group with another priority and source is the same message.
+    let twice =
+        dbc.replace("BO_ 513 Status", "BO_ 2565866496 Status") + "BA_ \"VFrameFormat\" BO_ 2565866496 3;\n";
+    let said = linted(&twice);
+    assert!(
+        said.iter().any(|line| line.contains("identifier 2364540158 is used before, in line 9")),
+        "{said:#?}"
+    );
     let exact = DBC.replace("514", "2364540158") + "BA_ \"VFrameFormat\" BO_ 2364540158 1;\n";
     assert!(text(&exact, "").contains("RxMessage { id: CanId::extended(0x0CF004FE), name: \"Level\""));
 }
