@@ -7,7 +7,7 @@
 //! Not supported: signals longer than 32 bits, floating-point signals, extended multiplexing.
 
 use crate::frame::CanId;
-use crate::model::{Reading, Readings, Value};
+use crate::model::{INVALID, Reading, Readings, Value};
 
 /// Byte order of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -206,6 +206,66 @@ pub const fn floor_div(numerator: i32, denominator: i32) -> i32 {
 /// Returns `numerator / denominator` rounded to the nearest, halves up.
 pub const fn nearest_div(numerator: i32, denominator: i32) -> i32 {
     (numerator + denominator / 2).div_euclid(denominator)
+}
+
+/// Returns a number that is ordered as the IEEE binary32 patterns are; NaN is beyond both infinities.
+#[inline(always)]
+pub const fn float32_order(bits: u32) -> i32 {
+    let bits = bits as i32;
+    bits ^ ((bits >> 31) as u32 >> 1) as i32
+}
+
+/// Does what [`float32_order`] does for binary64.
+#[inline(always)]
+pub const fn float64_order(bits: u64) -> i64 {
+    let bits = bits as i64;
+    bits ^ ((bits >> 63) as u64 >> 1) as i64
+}
+
+/// Returns `(value * mul + add) / den`, rounded down, of the IEEE binary32 `bits`: in integers, exactly. [`INVALID`] if the
+/// float is infinite or no number, or the result has more than 31 bits.
+pub const fn float32_counts(bits: u32, mul: i64, add: i64, den: i64) -> i32 {
+    let (exponent, fraction) = ((bits >> 23 & 0xFF) as i32, (bits & 0x7F_FFFF) as i128);
+    float_counts(bits >> 31 != 0, exponent, 0xFF, fraction, 23, [mul, add, den])
+}
+
+/// Does what [`float32_counts`] does for binary64.
+pub const fn float64_counts(bits: u64, mul: i64, add: i64, den: i64) -> i32 {
+    let (exponent, fraction) = ((bits >> 52 & 0x7FF) as i32, (bits & 0xF_FFFF_FFFF_FFFF) as i128);
+    float_counts(bits >> 63 != 0, exponent, 0x7FF, fraction, 52, [mul, add, den])
+}
+
+/// Scales a float of its parts: biased exponent with its highest value, fraction and the bits of it.
+const fn float_counts(
+    negative: bool,
+    exponent: i32,
+    highest: i32,
+    fraction: i128,
+    bits: i32,
+    [mul, add, den]: [i64; 3],
+) -> i32 {
+    if exponent == highest {
+        return INVALID;
+    }
+    // Without the hidden bit a number is as small as the smallest exponent makes it.
+    let (mantissa, exponent) = if exponent == 0 { (fraction, 1) } else { (fraction | 1 << bits, exponent) };
+    let shift = exponent - highest / 2 - bits;
+    let mantissa = if negative { -mantissa } else { mantissa };
+    // At most 53 + 31 bits. Rounding down before and after a division by a whole number is rounding down once.
+    let product = mantissa * mul as i128;
+    let whole = if product == 0 {
+        0
+    } else if shift > 42 {
+        return INVALID;
+    } else if shift >= 0 {
+        product << shift
+    } else if shift < -126 {
+        product >> 126
+    } else {
+        product >> -shift
+    };
+    let counts = (whole + add as i128).div_euclid(den as i128);
+    if counts > i32::MIN as i128 && counts <= i32::MAX as i128 { counts as i32 } else { INVALID }
 }
 
 /// Returns the number of `value` if it has ever been seen and is valid: the form of generated encoders.

@@ -37,6 +37,17 @@ impl CanId {
         self.0 & !Self::EXTENDED
     }
 
+    /// Returns what all frames of a J1939 group have in common: the identifier with priority 0 and source 0xFE, and with
+    /// destination 0xFF where it names one; `None` for 11 bits. (SAE J1939-21: a group below 0xF000 is sent to somebody.)
+    pub const fn group(self) -> Option<Self> {
+        if !self.is_extended() {
+            return None;
+        }
+        let is_for_one = (self.0 >> 16 & 0xFF) < 0xF0;
+        let to = if is_for_one { 0xFF00 } else { self.0 & 0xFF00 };
+        Some(Self::extended(self.0 & 0x03FF_0000 | to | 0xFE))
+    }
+
     /// Returns whether the identifier has 29 bits.
     pub const fn is_extended(self) -> bool {
         self.0 & Self::EXTENDED != 0

@@ -67,7 +67,7 @@ pub struct Life {
 /// One message that the cluster receives.
 #[derive(Clone, Copy, Debug)]
 pub struct RxMessage {
-    /// Identifier; all bits must match (BUS-11).
+    /// Identifier; all bits must match (BUS-11). One that is its own [`CanId::group`] stands for its whole J1939 group.
     pub id: CanId,
     /// Name in the DBC.
     pub name: &'static str,
@@ -229,9 +229,10 @@ pub static NO_VEHICLE: Vehicle = Vehicle {
 };
 
 impl Vehicle {
-    /// Returns the index of the message with `id`.
+    /// Returns the index of the message with `id`, or of its J1939 group.
     pub fn index_of(&self, id: CanId) -> Option<u8> {
-        self.rx.binary_search_by_key(&id, |message| message.id).ok().map(|index| index as u8)
+        let find = |id: CanId| self.rx.binary_search_by_key(&id, |message| message.id).ok();
+        find(id).or_else(|| find(id.group()?)).map(|index| index as u8)
     }
 
     /// Returns the stream that the frame with `id` is part of, and the frame's index in it.
@@ -241,7 +242,8 @@ impl Vehicle {
 
     /// Returns whether a node of the vehicle, other than the cluster, sends `id`.
     pub fn has_id(&self, id: CanId) -> bool {
-        self.ids.binary_search(&id).is_ok()
+        let has = |id: CanId| self.ids.binary_search(&id).is_ok();
+        has(id) || id.group().is_some_and(has)
     }
 
     /// Returns the text of fault `code` of `source`, if the vehicle's documents print one.

@@ -5,18 +5,20 @@
 //! cargo xtask decode -` is live. What cannot be decoded is counted and summed up on stderr, never dropped silently.
 //! Of a recording without times the time is missing: `-`, `null` or an empty cell.
 
+use crate::known::{self, Source};
 use crate::out::{self, note};
 use crate::recording::Choices;
-use crate::vehicles::{self, Tables, can_frame, can_id, seconds, short_seconds, value_of, with_unit};
+use crate::vehicles::{can_frame, can_id, seconds, short_seconds, with_unit};
 use anyhow::{Context, Result, bail};
 use bench::can::Frame;
 use bench::time::Nanos;
 use clap::{Args, ValueEnum};
 use protocol_core::CanId;
-use protocol_core::codec::{MessageInfo, SignalInfo};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, BufRead, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use vehicle_compiler::RunTime;
+use vehicle_compiler::network::{Message, Signal};
 
 /// What to decode and how to print it.
 #[derive(Args, Debug)]
@@ -26,9 +28,8 @@ pub struct Options {
     file: PathBuf,
     #[command(flatten)]
     choices: Choices,
-    /// Vehicle whose tables to use; found from the identifiers heard if not given.
-    #[arg(long)]
-    vehicle: Option<String>,
+    #[command(flatten)]
+    source: Source,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -62,7 +63,7 @@ pub fn run(options: &Options) -> Result<()> {
 
 fn whole(options: &Options) -> Result<()> {
     let log = options.choices.read_untimed(&options.file)?;
-    let tables = Tables::of_log(&log, options.vehicle.as_deref())?;
+    let tables = options.source.of_log(&log)?;
     let mut tally = Tally { bus_errors: log.error_frames, untimed: !log.timed, ..Tally::default() };
     let mut out = BufWriter::new(out::stdout());
     let printer = Printer::new(tables, options)?;
@@ -82,12 +83,13 @@ fn live(options: &Options) -> Result<()> {
     }
     let mut tally = Tally::default();
     let mut out = BufWriter::new(out::stdout());
-    let wanted = options.vehicle.as_deref().map(Tables::named).transpose()?;
+    let wanted = options.source.wanted()?;
     let mut printer = wanted.map(|tables| Printer::new(tables, options)).transpose()?;
     if let Some(printer) = &printer {
         printer.head(&mut out)?;
     }
     let (mut recording, mut stdin, mut line) = (options.choices.live(), io::stdin().lock(), Vec::new());
+    let known = if wanted.is_some() { Vec::new() } else { known::all() };
     loop {
         line.clear();
         if stdin.read_until(b'\n', &mut line).context("stdin cannot be read")? == 0 {
@@ -96,10 +98,11 @@ fn live(options: &Options) -> Result<()> {
         let Some(entry) = recording.read(&String::from_utf8_lossy(&line))? else { continue };
         let (at, frame) = (entry.at, entry.frame);
         if printer.is_none()
-            && let Some(tables) = Tables::sending(can_id(frame.id))
+            && let Some(tables) =
+                known.iter().find(|known| known.network.message_of(can_id(frame.id)).is_some())
         {
             let found = Printer::new(tables, options)?;
-            note!("vehicle  {} (first heard: {})", tables.vehicle.name, can_id(frame.id));
+            note!("vehicle  {} (first heard: {})", tables.name, can_id(frame.id));
             found.head(&mut out)?;
             printer = Some(found);
         }
@@ -116,7 +119,7 @@ fn live(options: &Options) -> Result<()> {
         note!("stdin: {note}");
     }
     (tally.bus_errors, tally.untimed) = (recording.error_frames(), !recording.is_timed());
-    let Some(printer) = printer else { bail!(vehicles::no_vehicle(tally.unknown.keys().copied())) };
+    let Some(printer) = printer else { bail!(known::no_vehicle(&known, tally.unknown.keys().copied())) };
     tally.report(printer.tables);
     Ok(())
 }
@@ -150,14 +153,14 @@ impl Tally {
     }
 
     /// Sums up on stderr; what did not happen is not mentioned.
-    fn report(&self, tables: Tables) {
+    fn report(&self, tables: &RunTime) {
         let (unknown, short) = (self.unknown.values().sum::<usize>(), self.short.values().sum::<usize>());
         let frames = self.decoded + unknown + short + self.remote;
         note!(
             "vehicle  {}: {} of its {} messages heard",
-            tables.vehicle.name,
+            tables.name,
             self.heard.len(),
-            tables.messages.len()
+            tables.network.messages.len()
         );
         let span = short_seconds(self.last.0 / 1_000_000);
         let span = if self.untimed { "without times".into() } else { format!("in {span} s") };
@@ -165,14 +168,16 @@ impl Tally {
         if unknown > 0 {
             note!("unknown  {unknown}: {}", listed(&self.unknown, ToString::to_string));
         }
-        for other in Tables::all().filter(|other| other.vehicle.name != tables.vehicle.name) {
-            let theirs = self.unknown.keys().filter(|id| other.message(**id).is_some()).count();
+        let others = if self.unknown.is_empty() { Vec::new() } else { known::all() };
+        for other in others.iter().filter(|other| other.name != tables.name) {
+            let theirs = self.unknown.keys().filter(|id| other.network.message_of(**id).is_some()).count();
             if theirs > 0 {
-                note!("         {theirs} of these identifiers are those of `{}`", other.vehicle.name);
+                note!("         {theirs} of these identifiers are those of `{}`", other.name);
             }
         }
         if short > 0 {
-            let name = |id: &CanId| tables.message(*id).map_or("", |message| message.name);
+            let message = |id: &CanId| Some(&tables.network.messages[tables.network.message_of(*id)?]);
+            let name = |id: &CanId| message(id).map_or("", |message| message.name.as_str());
             note!("short    {short}: {}", listed(&self.short, |id| format!("{} ({id})", name(id))));
         }
         if self.remote > 0 {
@@ -199,59 +204,57 @@ fn listed(counts: &BTreeMap<CanId, usize>, name: impl Fn(&CanId) -> String) -> S
 /// One signal of one frame.
 struct Row<'a> {
     time: String,
-    message: &'a MessageInfo,
-    signal: &'a SignalInfo,
-    raw: i64,
+    id: CanId,
+    message: &'a Message,
+    signal: &'a Signal,
+    raw: i128,
     /// Exact decimal; `None` = not valid.
     value: Option<String>,
 }
 
 /// Prints rows in one form, with columns as wide as the vehicle's names.
 struct Printer {
-    tables: Tables,
+    tables: &'static RunTime,
     format: Format,
     absolute: bool,
-    /// Messages by identifier, each with the indices of the signals to print.
-    messages: BTreeMap<CanId, (&'static MessageInfo, Vec<usize>)>,
+    /// Of each message the indices of the signals to print.
+    wanted: Vec<Vec<usize>>,
     widths: (usize, usize),
 }
 
 impl Printer {
-    fn new(tables: Tables, options: &Options) -> Result<Self> {
-        let full = |message: &MessageInfo, signal: &SignalInfo| format!("{}.{}", message.name, signal.name);
-        let fits = |pattern: &String, message: &MessageInfo, signal: &SignalInfo| {
-            matches_glob(pattern, signal.name) || matches_glob(pattern, &full(message, signal))
+    fn new(tables: &'static RunTime, options: &Options) -> Result<Self> {
+        let messages = &tables.network.messages;
+        let full = |message: &Message, signal: &Signal| format!("{}.{}", message.name, signal.name);
+        let fits = |pattern: &String, message: &Message, signal: &Signal| {
+            matches_glob(pattern, &signal.name) || matches_glob(pattern, &full(message, signal))
         };
-        let all =
-            || tables.messages.iter().flat_map(|message| message.signals.iter().map(move |s| (message, s)));
+        let all = || messages.iter().flat_map(|message| message.signals.iter().map(move |s| (message, s)));
         for pattern in &options.signals {
             if !all().any(|(message, signal)| fits(pattern, message, signal)) {
-                let names: Vec<String> = all().flat_map(|(m, s)| [s.name.to_owned(), full(m, s)]).collect();
+                let names: Vec<String> = all().flat_map(|(m, s)| [s.name.clone(), full(m, s)]).collect();
                 let near = vehicle_compiler::did_you_mean(pattern, names.iter().map(String::as_str));
-                bail!("no signal of `{}` matches `{pattern}`{near}", tables.vehicle.name);
+                bail!("no signal of `{}` matches `{pattern}`{near}", tables.name);
             }
         }
-        let wanted = |message: &MessageInfo, signal: &SignalInfo| {
+        let is_wanted = |message: &Message, signal: &Signal| {
             options.signals.is_empty() || options.signals.iter().any(|pattern| fits(pattern, message, signal))
         };
-        let row = |message: &'static MessageInfo| {
-            let indices =
-                (0..message.signals.len()).filter(|&index| wanted(message, &message.signals[index]));
-            (message.id, (message, indices.collect()))
+        let row = |message: &Message| -> Vec<usize> {
+            (0..message.signals.len()).filter(|&index| is_wanted(message, &message.signals[index])).collect()
         };
-        let messages: BTreeMap<CanId, (&'static MessageInfo, Vec<usize>)> =
-            tables.messages.iter().map(row).collect();
-        let printed = || messages.values().filter(|(_, indices)| !indices.is_empty());
+        let wanted: Vec<Vec<usize>> = messages.iter().map(row).collect();
+        let printed = || messages.iter().zip(&wanted).filter(|(_, indices)| !indices.is_empty());
         let message_width = printed().map(|(message, _)| message.name.len()).max().unwrap_or(0);
-        let names =
-            printed().flat_map(|(message, indices)| indices.iter().map(|&index| message.signals[index].name));
-        let signal_width = names.map(str::len).max().unwrap_or(0);
+        let names = printed()
+            .flat_map(|(message, indices)| indices.iter().map(|&index| &message.signals[index].name));
+        let signal_width = names.map(String::len).max().unwrap_or(0);
         Ok(Self {
             tables,
             format: options.format,
             absolute: options.absolute,
             widths: (message_width.max("message".len()), signal_width.max("signal".len())),
-            messages,
+            wanted,
         })
     }
 
@@ -307,10 +310,11 @@ impl Printer {
             tally.remote += 1;
             return Ok(());
         };
-        let Some((message, signals)) = self.messages.get(&frame.id) else {
+        let Some(index) = self.tables.network.message_of(frame.id) else {
             tally.unknown(frame.id, at);
             return Ok(());
         };
+        let (message, signals) = (&self.tables.network.messages[index], &self.wanted[index]);
         if frame.len() < message.len {
             *tally.short.entry(frame.id).or_default() += 1;
             return Ok(());
@@ -321,32 +325,32 @@ impl Printer {
         let time = self.time(clock, at);
         for &index in signals {
             let signal = &message.signals[index];
-            if !message.carries(signal, data) {
+            if !message.carries(index, data) {
                 continue;
             }
-            let Some((raw, counts)) = (message.get)(index, *data) else { continue };
-            let value = counts.map(|counts| vehicles::decimal(counts, signal.scale.den));
-            self.row(out, &Row { time: time.clone(), message, signal, raw, value })?;
+            let raw = signal.raw(data);
+            let value = signal.is_valid(raw).then(|| signal.value(raw));
+            self.row(out, &Row { time: time.clone(), id: frame.id, message, signal, raw, value })?;
         }
         Ok(())
     }
 
     fn row(&self, out: &mut impl Write, row: &Row<'_>) -> io::Result<()> {
-        let Row { time, message, signal, raw, value } = row;
+        let Row { time, id, message, signal, raw, value } = row;
         let word = signal.word(*raw);
         match self.format {
             Format::Text => {
                 let shown = match (value, word) {
                     (Some(_), Some(word)) => word.to_owned(),
-                    (Some(value), None) => with_unit(value, signal.unit),
+                    (Some(value), None) => with_unit(value, &signal.unit),
                     (None, Some(word)) => format!("-- (invalid: {word})"),
                     (None, None) => {
-                        format!("-- (invalid: {})", with_unit(&value_of(signal, *raw), signal.unit))
+                        format!("-- (invalid: {})", with_unit(&signal.value(*raw), &signal.unit))
                     }
                 };
-                let id = message.id.to_string();
+                let id = id.to_string();
                 let (time_width, (wide, wider)) = (self.time_width(), self.widths);
-                let (message, signal) = (message.name, signal.name);
+                let (message, signal) = (&message.name, &signal.name);
                 writeln!(
                     out,
                     "{time:>time_width$}  {id:8}  {message:wide$}  {signal:wider$}  {raw:>10}  {shown}"
@@ -358,11 +362,11 @@ impl Printer {
                     out,
                     "{{\"time\":{time},\"id\":\"{}\",\"message\":{},\"signal\":{},\"raw\":{raw},\"value\":{},\
                      \"unit\":{},\"valid\":{},\"word\":{}}}",
-                    message.id,
-                    quoted(message.name),
-                    quoted(signal.name),
+                    id,
+                    quoted(&message.name),
+                    quoted(&signal.name),
                     value.as_deref().unwrap_or("null"),
-                    quoted(signal.unit),
+                    quoted(&signal.unit),
                     value.is_some(),
                     word.map_or("null".into(), quoted)
                 )
@@ -370,11 +374,11 @@ impl Printer {
             Format::Csv => writeln!(
                 out,
                 "{time},{},{},{},{raw},{},{},{},{}",
-                message.id,
+                id,
                 message.name,
                 signal.name,
                 value.as_deref().unwrap_or(""),
-                cell(signal.unit),
+                cell(&signal.unit),
                 value.is_some(),
                 cell(word.unwrap_or(""))
             ),

@@ -13,6 +13,7 @@
 mod ci;
 mod codecs;
 mod codegen;
+mod corpus;
 mod coverage;
 mod dbc;
 mod decode;
@@ -22,6 +23,7 @@ mod faces;
 mod figures;
 mod firmware;
 mod flash;
+mod known;
 mod layers;
 mod listen;
 mod out;
@@ -42,6 +44,7 @@ mod tokens;
 mod toolchain;
 mod uf2;
 mod vehicle;
+mod vehicle_new;
 mod vehicles;
 mod words;
 mod workspace;
@@ -63,7 +66,7 @@ struct Cli {
 enum Command {
     /// Builds the firmware, drives it on the virtual bench and shows the cluster on a local page.
     Run(run::Options),
-    /// Plays the virtual vehicle on a real CAN adapter, for a cluster on the desk.
+    /// Plays the virtual vehicle on a real CAN adapter, for a cluster on the desk; `vehicle new` makes one of a DBC file.
     Vehicle(vehicle::Options),
     /// Runs every test: host tests, witnesses and the firmware on the bench.
     Test(test::Options),
@@ -81,6 +84,8 @@ enum Command {
     Encode(encode::Options),
     /// Lints DBC files and names file and line of everything that is wrong or missing.
     Dbc(dbc::Options),
+    /// Measures on a folder of DBC files which are read and make a vehicle, and compares every value with cantools.
+    Corpus(corpus::Options),
     /// Compares every screen with its golden picture, or blesses the new ones.
     Screens(screens::Options),
     /// Rasterises the fonts and symbols that the screens use.
@@ -143,6 +148,7 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Decode(options) => decode::run(&options),
         Command::Encode(options) => encode::run(&options),
         Command::Dbc(options) => dbc::run(&options),
+        Command::Corpus(options) => corpus::run(&options),
         Command::Screens(options) => screens::run(&options),
         Command::Fonts => screens::fonts(),
         Command::Codegen(options) => codegen::run(&options),

@@ -5,11 +5,12 @@
 //! worst severity, the lamps, the message line and the sound, the page, the countdown to high voltage off, limp mode, the
 //! range, and every fault that is noted. Pixels are the bench's business: `cargo xtask run`.
 
+use crate::known::Source;
 use crate::out;
 use crate::recording::Choices;
-use crate::vehicles::{Tables, can_frame, short_seconds};
+use crate::vehicles::{can_frame, short_seconds};
 use crate::words;
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow, bail};
 use bench::log::Log;
 use bench::time::Nanos;
 use clap::Args;
@@ -20,6 +21,7 @@ use protocol_core::{Millis, Vehicle};
 use serde_json::{Value as Json, json};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
+use vehicle_compiler::RunTime;
 
 /// Time from tick to tick on the chip, in milliseconds.
 const TICK_MS: u64 = 10;
@@ -33,9 +35,8 @@ pub struct Options {
     file: PathBuf,
     #[command(flatten)]
     choices: Choices,
-    /// Vehicle whose cluster to play; found from the identifiers heard if not given.
-    #[arg(long)]
-    vehicle: Option<String>,
+    #[command(flatten)]
+    source: Source,
     /// Prints one JSON object per line.
     #[arg(long)]
     json: bool,
@@ -47,19 +48,20 @@ pub struct Options {
 /// If the recording cannot be read or no vehicle fits it.
 pub fn run(options: &Options) -> Result<()> {
     let log = options.choices.read(&options.file)?;
-    let tables = Tables::of_log(&log, options.vehicle.as_deref())?;
+    let known = options.source.of_log(&log)?;
     for pair in log.entries.windows(2) {
         if pair[1].at.since(pair[0].at) > LONGEST_GAP {
             let (file, line) = (options.file.display(), pair[1].line);
             bail!("{file}:{line}: the time jumps by more than a day; cut the log there");
         }
     }
-    play(&log, tables, options.json, &mut BufWriter::new(out::stdout()))
+    play(&log, known, options.json, &mut BufWriter::new(out::stdout()))
 }
 
-fn play(log: &Log, tables: Tables, json: bool, out: &mut impl Write) -> Result<()> {
-    let mut instrument = Instrument::fixed(tables.vehicle, cluster::Options::default());
-    let mut screen = Screen::new(tables.vehicle, json);
+fn play(log: &Log, known: &'static RunTime, json: bool, out: &mut impl Write) -> Result<()> {
+    let vehicle = known.vehicle().map_err(|problem| anyhow!(problem))?;
+    let mut instrument = Instrument::fixed(vehicle, cluster::Options::default());
+    let mut screen = Screen::new(vehicle, json);
     let mut tally = Tally::default();
     let mut next_tick = Millis(0);
     for entry in &log.entries {
@@ -67,10 +69,10 @@ fn play(log: &Log, tables: Tables, json: bool, out: &mut impl Write) -> Result<(
             tick(&mut instrument, &mut screen, next_tick, out)?;
             next_tick = next_tick.after(TICK_MS);
         }
-        tally.count(&mut instrument, tables, entry);
+        tally.count(&mut instrument, known, entry);
     }
     tick(&mut instrument, &mut screen, next_tick, out)?;
-    tally.report(log, tables.vehicle, json, out)?;
+    tally.report(log, vehicle, json, out)?;
     out.flush()?;
     Ok(())
 }
@@ -292,7 +294,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn count(&mut self, instrument: &mut Instrument, tables: Tables, entry: &bench::log::Entry) {
+    fn count(&mut self, instrument: &mut Instrument, known: &RunTime, entry: &bench::log::Entry) {
         let counter = match can_frame(&entry.frame) {
             None => &mut self.remote,
             // An instrument for one vehicle keeps no frame for later.
@@ -301,7 +303,7 @@ impl Tally {
                     Received::Stored => &mut self.taken,
                     Received::TooShort => &mut self.short,
                     Received::Damaged => &mut self.damaged,
-                    Received::Unknown if tables.message(frame.id).is_some() => &mut self.for_others,
+                    Received::Unknown if known.network.message_of(frame.id).is_some() => &mut self.for_others,
                     Received::Unknown => &mut self.unknown,
                 }
             }
@@ -346,8 +348,8 @@ mod tests {
 
     #[test]
     fn own_inputs_are_not_the_buses_news() {
-        for tables in Tables::all() {
-            let values: Vec<Value> = from_the_bus(tables.vehicle).collect();
+        for vehicle in protocol_core::generated::VEHICLES {
+            let values: Vec<Value> = from_the_bus(vehicle).collect();
             assert!(!values.contains(&Value::BodyKey) && values.contains(&Value::ClusterOdometer));
             assert!(values.contains(&Value::BatterySoc));
         }

@@ -100,7 +100,7 @@ pub fn run(options: &Options) -> Result<()> {
         None => {
             let (panel, crystal) = (options.panel, options.crystal);
             // An image holds no vehicle that is not shipped: its recording needs one that is built for it.
-            let recorded = log.as_ref().and_then(|log| Tables::of_log(log, None).ok());
+            let recorded = log.as_ref().and_then(Tables::of_log);
             let is_shipped = |name| SHIPPED_VEHICLES.iter().any(|vehicle| vehicle.name == name);
             let vehicle = recorded.map(|tables| tables.vehicle.name).filter(|name| !is_shipped(*name));
             let vehicle = vehicle.map(str::to_owned);
@@ -235,7 +235,7 @@ pub fn headless_for_ci(screenshot: &Path) -> Result<()> {
 fn bitrate(kind: Option<Kind>, log: Option<&Log>) -> u32 {
     let tables = match (kind, log) {
         (Some(kind), _) => Tables::named(kind.name()).ok(),
-        (None, Some(log)) => Tables::of_log(log, None).ok(),
+        (None, Some(log)) => Tables::of_log(log),
         (None, None) => None,
     };
     tables.map_or(RigOptions::default().bitrate, |tables| tables.vehicle.bitrate)

@@ -4,11 +4,12 @@
 //! pause of the machine the vehicle goes on where it was; nothing is sent in a burst.
 
 use crate::out::say;
+use crate::vehicle_new;
 use crate::vehicles::{self, Tables};
 use anyhow::{Context, Result, anyhow, bail};
 use bench::can::Frame;
 use bench::join::adapter::Adapter;
-use clap::Args;
+use clap::{Args, Subcommand};
 use protocol_core::codec::MessageInfo;
 use protocol_core::{CanFrame, CanId};
 use std::collections::{BTreeMap, VecDeque};
@@ -34,7 +35,10 @@ const CLUSTER: &str = "Cluster";
 
 /// Where to play which vehicle.
 #[derive(Args, Clone, Debug)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct Options {
+    #[command(subcommand)]
+    command: Option<Command>,
     /// Vehicle to play: citybus, jiulong or c5ev.
     #[arg(long, value_name = "NAME", default_value = "citybus")]
     vehicle: String,
@@ -58,11 +62,21 @@ pub struct Options {
     list: bool,
 }
 
+/// What else can be done with a vehicle.
+#[derive(Clone, Debug, Subcommand)]
+enum Command {
+    /// Makes the folder of a vehicle out of a DBC file: bindings by names and units, and a drive through their ranges.
+    New(vehicle_new::Options),
+}
+
 /// Plays the vehicle until the time is over or the process ends.
 ///
 /// # Errors
 /// If there is no such vehicle, control or adapter; or the adapter is gone.
 pub fn run(options: &Options) -> Result<()> {
+    if let Some(Command::New(options)) = &options.command {
+        return vehicle_new::run(options);
+    }
     let kind = named(&options.vehicle)?;
     let tables = Tables::named(kind.name())?;
     let vehicle = make(kind, &options.set)?;

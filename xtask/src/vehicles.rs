@@ -1,16 +1,14 @@
 //! Which vehicle, which message, which number: what the commands that read and write frames share.
 //!
-//! Vehicles are told apart by the identifiers heard: the one with most of them is taken. Names are looked up exactly and the
-//! nearest one is offered. Numbers are exact decimals made from integers; no float takes part.
+//! Names are looked up exactly and the nearest one is offered. Numbers are exact decimals made from integers; no float takes part.
 
-use anyhow::{Result, anyhow, bail};
+use anyhow::{Result, anyhow};
 use bench::can::{Frame, Id};
 use bench::log::Log;
 use bench::time::Nanos;
 use protocol_core::codec::{MessageInfo, SignalInfo};
 use protocol_core::generated::{MESSAGES, VEHICLES};
 use protocol_core::{CanFrame, CanId, Vehicle};
-use std::collections::BTreeSet;
 use vehicle_compiler::did_you_mean;
 
 /// One vehicle with all of its messages, those of the other nodes too.
@@ -42,47 +40,20 @@ impl Tables {
         })
     }
 
-    /// Returns the vehicle that sends `id`.
-    pub fn sending(id: CanId) -> Option<Self> {
-        Self::all().find(|tables| tables.message(id).is_some())
-    }
-
-    /// Returns the vehicle that most frames of a recording belong to, or the one `wanted` by name.
-    ///
-    /// # Errors
-    /// If no vehicle has that name, or none has any of the identifiers.
-    pub fn of_log(log: &Log, wanted: Option<&str>) -> Result<Self> {
-        if let Some(name) = wanted {
-            return Self::named(name);
-        }
+    /// Returns the vehicle that most frames of a recording belong to, of those that an image can hold.
+    pub fn of_log(log: &Log) -> Option<Self> {
         let heard = |tables: &Self| {
             let ids = log.entries.iter().map(|entry| can_id(entry.frame.id));
             ids.filter(|id| tables.message(*id).is_some()).count()
         };
         let best = Self::all().map(|tables| (heard(&tables), tables)).max_by_key(|(count, _)| *count);
-        match best {
-            Some((count, tables)) if count > 0 => Ok(tables),
-            _ => bail!(no_vehicle(log.entries.iter().map(|entry| can_id(entry.frame.id)))),
-        }
+        best.filter(|(count, _)| *count > 0).map(|(_, tables)| tables)
     }
 
     /// Returns the message with `id`.
     pub fn message(&self, id: CanId) -> Option<&'static MessageInfo> {
         self.messages.iter().find(|message| message.id == id)
     }
-}
-
-/// Returns what to say when no vehicle has any of the identifiers heard.
-pub fn no_vehicle(ids: impl Iterator<Item = CanId>) -> String {
-    let ids: BTreeSet<CanId> = ids.collect();
-    let first: Vec<String> = ids.iter().take(5).map(ToString::to_string).collect();
-    let more = if ids.len() > first.len() { ", ..." } else { "" };
-    let known: Vec<&str> = Tables::all().map(|tables| tables.vehicle.name).collect();
-    format!(
-        "no vehicle ({}) has any of the identifiers heard ({}{more}); say which one with --vehicle",
-        known.join(", "),
-        first.join(", ")
-    )
 }
 
 /// Returns a bench identifier as the codecs have it.
@@ -147,15 +118,5 @@ mod tests {
         assert_eq!(decimal(0, 1), "0");
         assert_eq!(decimal(1_200, 1), "1200");
         assert_eq!(decimal(i64::MIN, 1), "-9223372036854775808");
-    }
-
-    /// A vehicle that is added may share identifiers with another; a recording of it is then read with `--vehicle`.
-    #[test]
-    fn no_identifier_belongs_to_two_of_the_documented_vehicles() {
-        let known =
-            Tables::all().filter(|tables| ["citybus", "c5ev", "jiulong"].contains(&tables.vehicle.name));
-        let all: Vec<CanId> =
-            known.flat_map(|tables| tables.messages.iter().map(|message| message.id)).collect();
-        assert_eq!(all.iter().collect::<BTreeSet<_>>().len(), all.len());
     }
 }

@@ -16,6 +16,7 @@ const NOBODY_READS: i32 = 141;
 /// Every command that prints within seconds, with arguments that make it print.
 const PRINTING: &[(&str, &[&str])] = &[
     ("codegen", &["--check"]),
+    ("corpus", &["vehicles/example", "--frames", "2"]),
     ("dbc", &[]),
     ("decode", &[CITY]),
     ("doctor", &[]),

@@ -13,18 +13,23 @@ fn bus() -> String {
     std::fs::read_to_string(surroundings::root().join("vehicles/citybus/citybus.dbc")).unwrap()
 }
 
-/// Lints `text` and returns what is found, without the path of the file.
-fn findings(text: &str) -> Vec<String> {
+/// Lints `text` and returns what is found, without the path of the file, and whether there is an error.
+fn graded(text: &str) -> (Vec<String>, bool) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("x.dbc");
     std::fs::write(&path, text).unwrap();
     let path = path.display().to_string();
     let output = dbc(&[&path]);
-    assert_eq!(output.status.code(), Some(1), "{output:?}");
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("in 1 of 1 files"), "{said}");
     let found = String::from_utf8(output.stdout).unwrap();
-    found.lines().map(|line| line.strip_prefix(&path).unwrap().into()).collect()
+    let lines = found.lines().map(|line| line.strip_prefix(&path).unwrap().to_owned());
+    (lines.filter(|line| !line.starts_with("  ok")).collect(), output.status.code() == Some(1))
+}
+
+/// Lints `text`, in which nothing is bound, and returns what is found.
+fn findings(text: &str) -> Vec<String> {
+    let (found, wrong) = graded(text);
+    assert_eq!(wrong, found.iter().any(|line| line.contains("not valid DBC")), "{found:#?}");
+    found
 }
 
 /// Returns the bus's file with `from` replaced in the first line that holds it, and that line's number.
@@ -49,17 +54,21 @@ fn the_vehicles_are_clean() {
 fn each_wrong_line_is_named() {
     let gear = " SG_ gear : 2|4@1+ (1,0) [0|11] \"\"";
     for (from, to, problem) in [
-        (gear, " SG_ gear : 1|4@1+ (1,0) [0|11] \"\"", "`gear` overlaps `drive_mode`"),
-        (gear, " SG_ gear : 62|4@1+ (1,0) [0|11] \"\"", "`gear` reaches beyond the 8 bytes of the message"),
+        (gear, " SG_ gear : 1|4@1+ (1,0) [0|11] \"\"", "note: signal `gear` overlaps `drive_mode`"),
+        (
+            gear,
+            " SG_ gear : 62|4@1+ (1,0) [0|11] \"\"",
+            "warning: `gear` reaches beyond the 8 bytes of the message",
+        ),
         (
             gear,
             " SG_ gear : 2|4@1+ (1,0) [0|99] \"\"",
-            "range of `gear` is raw 0 to 99; its 4 bits hold 0 to 15",
+            "note: range of `gear` is raw 0 to 99; its 4 bits hold 0 to 15",
         ),
         (gear, " SG_ drive_mode : 2|4@1+ (1,0) [0|11] \"\"", "signal `drive_mode` is used before"),
         (gear, " SG_ gear : 2|4@1+ (1,0 [0|11] \"\"", "not valid DBC: `SG_ gear : 2|4@1+ (1,0 [0|11]"),
         ("BO_ 2364605095 VCU2:", "BO_ 2364605095 VCU1:", "message `VCU1` is used before"),
-        ("BO_ 2364605095 VCU2:", "BO_ 2364604839 VCU2:", "identifier 2364604839 is used before"),
+        ("BO_ 2364605095 VCU2:", "BO_ 2364604839 VCU2:", "warning: identifier 2364604839 is used before"),
         (
             "[0|200] \"km/h\"",
             "[0|200] \"\"",
@@ -75,7 +84,7 @@ fn each_wrong_line_is_named() {
         let (text, line) = broken(from, to);
         let found = findings(&text);
         let names =
-            |finding: &&String| finding.starts_with(&format!(":{line}: ")) && finding.contains(problem);
+            |finding: &&String| finding.starts_with(&format!(":{line}:")) && finding.contains(problem);
         assert!(found.iter().any(|finding| names(&finding)), "line {line}: {problem} in {found:#?}");
     }
 }
@@ -91,20 +100,73 @@ fn a_missing_comment_is_found_at_its_message_and_at_its_signal() {
         let line = 1 + text.lines().position(|line| line.starts_with(place)).unwrap();
         let found = findings(&text);
         assert_eq!(found.len(), 1, "{found:#?}");
-        assert!(found[0].starts_with(&format!(":{line}: {problem}")), "{found:#?}");
+        assert!(found[0].starts_with(&format!(":{line}:")) && found[0].contains(problem), "{found:#?}");
     }
 }
 
 #[test]
-fn a_file_that_is_not_there_or_not_utf8_is_named() {
-    let said = |path: &str| {
-        let output = dbc(&[path]);
-        assert_eq!(output.status.code(), Some(1));
-        String::from_utf8(output.stdout).unwrap()
-    };
-    assert!(said("no/such.dbc").starts_with("no/such.dbc: cannot be read: "));
+fn a_file_that_is_not_there_is_named() {
+    let output = dbc(&["no/such.dbc"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8(output.stdout).unwrap().starts_with("no/such.dbc: cannot be read: "));
+}
+
+#[test]
+fn an_encoding_is_said_and_no_error() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("gb.dbc");
     std::fs::write(&path, b"VERSION \"\xb4\xbf\xb5\xe7\"\n").unwrap();
-    assert!(said(path.to_str().unwrap()).contains("gb.dbc:1: byte 0xB4 is not UTF-8 text"));
+    let output = dbc(&[path.to_str().unwrap()]);
+    assert!(output.status.success(), "{output:?}");
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        said.contains("gb.dbc: note: is not UTF-8; read as gb18030: line 1 is `VERSION \"纯电\"`"),
+        "{said}"
+    );
+}
+
+#[test]
+fn what_is_bound_and_cannot_be_had_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, toml) = (folder.path().join("x.dbc"), folder.path().join("vehicle.toml"));
+    let binding =
+        std::fs::read_to_string(surroundings::root().join("vehicles/citybus/vehicle.toml")).unwrap();
+    let (text, line) = broken(" SG_ gear : 2|4@1+", " SG_ gear : 62|4@1+");
+    std::fs::write(&path, text).unwrap();
+    assert!(dbc(&[path.to_str().unwrap()]).status.success(), "nothing binds it");
+    std::fs::write(&toml, binding).unwrap();
+    let output = dbc(&[path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        said.contains("`gear` of VCU1 cannot be bound: ") && said.contains(&format!("x.dbc:{line}:2: ")),
+        "{said}"
+    );
+}
+
+#[test]
+fn fix_mends_what_is_mechanical_and_writes_utf8() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.dbc");
+    let text =
+        b"VERSION \"\"\nNS_ :\nBS_:\nBU_: A\nBO_ 4096 M: 8 A\n SG_ s : 0|8@1+ (1,0) [0|256] \"\xb0C\" A\n";
+    std::fs::write(&path, text).unwrap();
+    let output = dbc(&["--fix", path.to_str().unwrap()]);
+    assert!(output.status.success(), "{output:?}");
+    let mended = std::fs::read_to_string(&path).unwrap();
+    assert!(mended.contains("BO_ 2147487744 M") && mended.contains("[0|255] \"°C\""), "{mended}");
+}
+
+#[test]
+fn of_many_notes_of_a_kind_the_first_is_printed_with_their_number() {
+    let rows: String = (0..9).map(|at| format!(" SG_ s{at} : {at}|1@1+ (1,0) [0|1] \"\" A\n")).collect();
+    let text = format!("VERSION \"\"\nNS_ :\nBS_:\nBU_: A\nBO_ 1 M: 8 A\n{rows}");
+    let found = findings(&text);
+    let comments: Vec<&String> =
+        found.iter().filter(|line| line.contains("has no comment (CM_ SG_")).collect();
+    assert_eq!(comments.len(), 1, "{found:#?}");
+    assert!(
+        comments[0].starts_with(":6:2: note: signal `s0`")
+            && comments[0].ends_with("(and 8 more of this kind: --all)")
+    );
 }

@@ -4,10 +4,10 @@
 
 use crate::diagnostics::{Diagnostics, Report, did_you_mean};
 use crate::meaning::{CHECKSUMS, NODES, accepted, counts_per, states};
-use crate::network::{Message, Network, Signal};
+use crate::network::{Condition, Doubt, Message, Network, Signal};
+use crate::number::Number;
 use crate::ratio::{Linear, Ratio};
 use protocol_core::checksum::Checksum;
-use protocol_core::codec::Mux;
 use protocol_core::model::{Missing, Severity, Unit, Value};
 use protocol_core::states::Kind;
 use protocol_core::stream;
@@ -19,6 +19,8 @@ use toml::de::{DeArray, DeTable, DeValue};
 pub(crate) struct Binding {
     pub(crate) zh: String,
     pub(crate) en: String,
+    /// Bits per second.
+    pub(crate) bitrate: u32,
     /// 1 or 3.
     pub(crate) worst_level: u8,
     /// Images hold the vehicle and look for it.
@@ -37,6 +39,8 @@ pub(crate) struct Binding {
 
 pub(crate) struct NodeRow {
     pub(crate) dbc: String,
+    /// Further nodes of the DBC that are parts of this one.
+    pub(crate) also: Vec<String>,
     pub(crate) node: Node,
     pub(crate) zh: String,
     pub(crate) en: String,
@@ -46,6 +50,7 @@ pub(crate) struct Rx {
     pub(crate) message: usize,
     pub(crate) node: Node,
     pub(crate) len: u8,
+    pub(crate) cycle_ms: u32,
     pub(crate) timeout_ms: u32,
     pub(crate) checksum: Option<Checksum>,
     pub(crate) expected: bool,
@@ -61,9 +66,9 @@ pub(crate) struct RxValue {
 
 impl RxValue {
     /// Returns when the value is in the frame; all its signals are in it together.
-    pub(crate) fn mux(&self, message: &Message) -> Mux {
-        let mut muxes = self.terms.iter().map(|term| message.signals[term.signal].mux);
-        muxes.find(|mux| matches!(mux, Mux::When(_))).unwrap_or(Mux::Always)
+    pub(crate) fn when<'m>(&self, message: &'m Message) -> &'m [Condition] {
+        let mut conditions = self.terms.iter().map(|term| message.signals[term.signal].when.as_slice());
+        conditions.find(|when| !when.is_empty()).unwrap_or(&[])
     }
 }
 
@@ -94,8 +99,10 @@ pub(crate) struct Term {
 }
 
 pub(crate) enum How {
-    /// A number, scaled to the model's unit.
-    Scaled { linear: Linear, nearest: bool, magnitude: bool },
+    /// A number, scaled to the model's unit; the scale is off by `off` counts at most.
+    Scaled { linear: Linear, nearest: bool, magnitude: bool, off: f64 },
+    /// The number that an IEEE float is, scaled to the model's unit.
+    Float { linear: Linear, nearest: bool, magnitude: bool },
     /// A state: model value of each raw value, `None` = invalid; what is not listed is `other`.
     Mapped { states: States, other: Option<i32> },
 }
@@ -137,6 +144,9 @@ pub(crate) struct Fault {
     pub(crate) en: String,
 }
 
+/// What a DBC writes where no node is the sender of a message.
+pub(crate) const NOBODY: &str = "Vector__XXX";
+
 type Entry<'t> = (&'t Spanned<std::borrow::Cow<'t, str>>, &'t Spanned<DeValue<'t>>);
 type Maps<'t> = BTreeMap<&'t str, &'t DeTable<'t>>;
 
@@ -149,7 +159,9 @@ fn usual_timeout(message: &Message) -> u32 {
 }
 
 /// Reads a `vehicle.toml`.
-pub(crate) fn read(file: &str, text: &str, network: &Network) -> Result<Binding, Diagnostics> {
+///
+/// `dbc` is the name of the DBC file of the network.
+pub(crate) fn read(file: &str, text: &str, dbc: &str, network: &Network) -> Result<Binding, Diagnostics> {
     let (root, errors) = DeTable::parse_recoverable(text);
     let mut report = Report::new(file, text);
     for error in &errors {
@@ -159,13 +171,55 @@ pub(crate) fn read(file: &str, text: &str, network: &Network) -> Result<Binding,
     if !errors.is_empty() {
         return report.finish().or(()).map(|()| unreachable!("a report with errors is an error"));
     }
-    let mut reader = Reader { report, network };
+    let mut reader = Reader { report, dbc, network };
     let binding = reader.root(root.get_ref());
     reader.report.finish().or(binding)
 }
 
+/// What `vehicle.toml` says of a signal in the place of the DBC.
+#[derive(Default)]
+struct Said {
+    unit: Option<String>,
+    factor: Option<Ratio>,
+    offset: Option<Ratio>,
+    /// The sign of the physical value is turned.
+    negate: bool,
+}
+
+/// Returns factor and offset of a signal in counts of the model, if they have at most 37 digits.
+fn scaled_by(signal: &Signal, said: &Said, counts: Ratio) -> Option<(Ratio, Ratio)> {
+    let (factor, offset) = (said.factor.unwrap_or(signal.factor), said.offset.unwrap_or(signal.offset));
+    let counts = if said.negate { Ratio { num: -counts.num, ..counts } } else { counts };
+    Some((factor.checked_mul(counts)?, offset.checked_mul(counts)?))
+}
+
+/// Returns the model counts of a signal as a function of its raw value, and by how many counts that is off at most; `None`
+/// if they do not fit in 31 bits over the whole valid range.
+fn near_scale(signal: &Signal, said: &Said, counts: Ratio) -> Option<(Linear, f64)> {
+    let scale = scaled_by(signal, said, counts).and_then(|(factor, shift)| {
+        let span = if signal.number.is_float() { (0, 0) } else { signal.range };
+        Linear::near(factor, shift, span)
+    });
+    let fits = |(linear, off): &(Linear, f64)| {
+        let at = |raw: i128| {
+            i64::try_from(raw)
+                .is_ok_and(|raw| linear.checked_floor(raw).is_some_and(|n| i32::try_from(n).is_ok()))
+        };
+        // Half a count is what rounding may cost.
+        *off <= 0.5 && (signal.number.is_float() || at(signal.range.0) && at(signal.range.1))
+    };
+    scale.filter(fits)
+}
+
+/// Does what [`near_scale`] does for a value of the model, with a unit of which one of the signal's is `times`; `None` too
+/// if the unit is another one.
+pub(crate) fn scale_of(value: Value, signal: &Signal, (unit, times): (&str, Ratio)) -> Option<(Linear, f64)> {
+    near_scale(signal, &Said::default(), counts_per(value.unit(), unit)?.checked_mul(times)?)
+}
+
 struct Reader<'a> {
     report: Report<'a>,
+    dbc: &'a str,
     network: &'a Network,
 }
 
@@ -244,6 +298,7 @@ impl Reader<'_> {
         let mut binding = Binding {
             zh: String::new(),
             en: String::new(),
+            bitrate: self.network.bitrate.unwrap_or(0),
             worst_level: 3,
             shipped: true,
             filler: Vec::new(),
@@ -345,11 +400,12 @@ impl Reader<'_> {
     }
 
     fn vehicle(&mut self, at: &Spanned<DeValue<'_>>, binding: &mut Binding) {
-        const KEYS: [&str; 5] = ["zh", "en", "worst_level", "shipped", "filler"];
+        const KEYS: [&str; 6] = ["bitrate", "zh", "en", "worst_level", "shipped", "filler"];
         for (key, value) in self.table(at) {
             match key.get_ref().as_ref() {
                 "zh" => binding.zh = self.text(value),
                 "en" => binding.en = self.text(value),
+                "bitrate" => binding.bitrate = self.number(value, 10_000..=1_000_000) as u32,
                 "worst_level" => match self.number(value, 1..=3) {
                     2 => self.wrong(value, "1 or 3"),
                     level => binding.worst_level = level as u8,
@@ -362,18 +418,19 @@ impl Reader<'_> {
         if binding.zh.is_empty() || binding.en.is_empty() {
             self.report.offset(at.span().start, "[vehicle] needs the names `zh` and `en`");
         }
+        if binding.bitrate == 0 {
+            let text =
+                format!("{} does not say the bit rate (BusSpeed): write `bitrate = 500000` here", self.dbc);
+            self.report.offset(at.span().start, text);
+        }
     }
 
     fn nodes(&mut self, at: &Spanned<DeValue<'_>>) -> Vec<NodeRow> {
         let mut rows: Vec<NodeRow> = Vec::new();
         for (name, table) in self.table(at) {
-            if !self.network.nodes.iter().any(|node| node == name.get_ref()) {
-                let known = self.network.nodes.iter().map(String::as_str);
-                let near = did_you_mean(name.get_ref(), known);
-                self.report
-                    .offset(name.span().start, format!("no node `{}` in the DBC{near}", name.get_ref()));
-            }
+            self.node_of_dbc(name.get_ref(), name.span().start);
             let (mut node, mut zh, mut en) = (None, String::new(), String::new());
+            let mut also = Vec::new();
             for (key, value) in self.table(table) {
                 match key.get_ref().as_ref() {
                     "node" => {
@@ -387,7 +444,24 @@ impl Reader<'_> {
                     }
                     "zh" => zh = self.text(value),
                     "en" => en = self.text(value),
-                    other => self.unknown(key.span().start, "key", other, ["node", "zh", "en"].into_iter()),
+                    "also" => match value.get_ref() {
+                        DeValue::Array(list) => {
+                            for at in list.iter() {
+                                let other = self.text(at);
+                                self.node_of_dbc(&other, at.span().start);
+                                also.push(other);
+                            }
+                        }
+                        _ => self.wrong(value, "a list"),
+                    },
+                    other => {
+                        self.unknown(
+                            key.span().start,
+                            "key",
+                            other,
+                            ["also", "node", "zh", "en"].into_iter(),
+                        );
+                    }
                 }
             }
             let Some(node) = node.filter(|_| !zh.is_empty() && !en.is_empty()) else {
@@ -399,10 +473,19 @@ impl Reader<'_> {
                 let message = format!("`{}` is the second node of this kind", name.get_ref());
                 self.report.offset(name.span().start, message);
             }
-            rows.push(NodeRow { dbc: name.get_ref().to_string(), node, zh, en });
+            rows.push(NodeRow { dbc: name.get_ref().to_string(), also, node, zh, en });
         }
         rows.sort_by_key(|row| row.node);
         rows
+    }
+
+    /// Checks that a node is one of the DBC, or stands for the messages without a sender.
+    fn node_of_dbc(&mut self, name: &str, offset: usize) {
+        let nodes = &self.network.nodes;
+        if name != NOBODY && !nodes.iter().any(|node| node == name) {
+            let near = did_you_mean(name, nodes.iter().map(String::as_str));
+            self.report.offset(offset, format!("no node `{name}` in the DBC{near}"));
+        }
     }
 
     /// Returns the message of a section and the kind of its sender.
@@ -412,14 +495,19 @@ impl Reader<'_> {
         nodes: &[NodeRow],
     ) -> Option<(usize, Node)> {
         let messages = &self.network.messages;
-        let Some(index) = messages.iter().position(|message| message.name == *name.get_ref()) else {
+        let Some(index) = self.network.index(name.get_ref()) else {
             let near = did_you_mean(name.get_ref(), messages.iter().map(|message| message.name.as_str()));
             self.report
                 .offset(name.span().start, format!("no message `{}` in the DBC{near}", name.get_ref()));
             return None;
         };
-        let sender = &messages[index].sender;
-        let Some(row) = nodes.iter().find(|row| row.dbc == *sender) else {
+        if let Some(doubt) = messages[index].doubt.as_ref().or(messages[index].twice.as_ref()) {
+            self.doubted(&format!("`{}`", name.get_ref()), name.span().start, doubt);
+            return None;
+        }
+        let sender = if messages[index].sender.is_empty() { NOBODY } else { &messages[index].sender };
+        let sends = |row: &&NodeRow| row.dbc == sender || row.also.iter().any(|other| other == sender);
+        let Some(row) = nodes.iter().find(sends) else {
             let message =
                 format!("`{}` is sent by `{sender}`, which has no [nodes.{sender}]", name.get_ref());
             self.report.offset(name.span().start, message);
@@ -440,11 +528,12 @@ impl Reader<'_> {
                 continue;
             }
             let mut enabled = true;
-            let mut timeout = None;
+            let (mut cycle, mut timeout) = (None, None);
             let mut row = Rx {
                 message: index,
                 node,
                 len: message.len,
+                cycle_ms: message.cycle_ms,
                 timeout_ms: 0,
                 checksum: None,
                 expected: !message.optional,
@@ -458,18 +547,24 @@ impl Reader<'_> {
                     "vital" => row.vital = self.flag(value),
                     "checksum" => row.checksum = self.checksum(value, message),
                     "len" => row.len = self.number(value, 0..=i64::from(message.len)) as u8,
+                    "cycle_ms" => cycle = Some(self.number(value, 1..=60_000) as u32),
                     "timeout_ms" => timeout = Some(self.number(value, 50..=600_000) as u32),
                     _ => self.paths(String::new(), key, value, message, maps, &mut row.values),
                 }
             }
-            row.timeout_ms = timeout.unwrap_or(usual_timeout(message));
+            let usual = cycle.map_or(usual_timeout(message), |cycle| (5 * cycle).max(SHORTEST_TIMEOUT_MS));
+            row.cycle_ms = cycle.unwrap_or(row.cycle_ms);
+            row.timeout_ms = timeout.unwrap_or(usual);
             if row.checksum.is_some_and(|checksum| row.len < checksum.len) {
                 let text =
                     format!("`len` of `{}` cuts its checksum off: it covers the whole frame", message.name);
                 self.report.offset(name.span().start, text);
             }
-            if timeout.is_none() && message.slow_cycle_ms == 0 {
-                let text = format!("`{}` has no cycle time in the DBC: set `timeout_ms`", message.name);
+            if timeout.is_none() && cycle.is_none() && message.slow_cycle_ms == 0 {
+                let text = format!(
+                    "`{}` has no cycle time in the DBC: set `cycle_ms` or `timeout_ms`",
+                    message.name
+                );
                 self.report.offset(name.span().start, text);
             }
             row.values.sort_by_key(|value| value.value);
@@ -515,7 +610,8 @@ impl Reader<'_> {
                 }
             }
             _ => {
-                const OPTIONS: [&str; 6] = ["checksum", "enabled", "expected", "len", "timeout_ms", "vital"];
+                const OPTIONS: [&str; 7] =
+                    ["checksum", "cycle_ms", "enabled", "expected", "len", "timeout_ms", "vital"];
                 let known = Value::ALL.iter().map(|value| value.path()).chain(OPTIONS);
                 self.unknown(key.span().start, "model value", &path, known);
             }
@@ -542,9 +638,12 @@ impl Reader<'_> {
             self.report.offset(at.span().start, format!("`{}` holds 1 to 31 bits", value.path()));
         }
         let row = RxValue { value, terms };
-        let together =
-            |term: &Term| [Mux::Always, row.mux(message)].contains(&message.signals[term.signal].mux);
-        if !row.terms.iter().all(|term| message.signals[term.signal].mux == Mux::Selector || together(term)) {
+        let when = row.when(message);
+        let together = |term: &Term| {
+            let own = message.signals[term.signal].when.as_slice();
+            own.is_empty() || own == when
+        };
+        if !row.terms.iter().all(together) {
             let text = format!("the signals of `{}` are never in the same frame", value.path());
             self.report.offset(at.span().start, text);
         }
@@ -553,6 +652,11 @@ impl Reader<'_> {
 
     fn signal(&mut self, name: &str, offset: usize, message: &Message) -> Option<usize> {
         let found = message.signal(name);
+        let lost = || message.lost.iter().find(|(lost, _)| lost == name).map(|(_, doubt)| doubt);
+        if let Some(doubt) = found.map_or_else(lost, |index| message.signals[index].doubt.as_ref()) {
+            self.doubted(&format!("`{name}` of {}", message.name), offset, doubt);
+            return None;
+        }
         if found.is_none() {
             let known = message.signals.iter().map(|signal| signal.name.as_str());
             let near = did_you_mean(name, known);
@@ -561,13 +665,19 @@ impl Reader<'_> {
         found
     }
 
+    /// Reports that something of the DBC cannot be bound, with its place there.
+    fn doubted(&mut self, what: &str, offset: usize, doubt: &Doubt) {
+        let (file, line, column) = (self.dbc, doubt.at.line, doubt.at.column);
+        self.report.offset(offset, format!("{what} cannot be bound: {file}:{line}:{column}: {}", doubt.text));
+    }
+
     /// Returns a signal that is one whole byte without a sign, and its byte.
     fn byte(&mut self, at: &Spanned<DeValue<'_>>, message: &Message) -> Option<(usize, u8)> {
         let (name, offset) = (self.text(at), at.span().start);
         let index = self.signal(&name, offset, message)?;
         let signal = &message.signals[index];
         match signal.segments().as_slice() {
-            [segment] if segment.bits == 8 && !signal.signed && signal.mux == Mux::Always => {
+            [segment] if segment.bits == 8 && signal.number == Number::Unsigned && signal.when.is_empty() => {
                 Some((index, segment.byte))
             }
             _ => {
@@ -677,8 +787,8 @@ impl Reader<'_> {
         }
         let signals: Vec<&Signal> = values.iter().map(|(index, _)| &message.signals[*index]).collect();
         let alike = |signal: &&Signal| {
-            (signal.scale, &signal.unit, signal.range, signal.invalid_raw)
-                == (signals[0].scale, &signals[0].unit, signals[0].range, None)
+            (signal.factor, signal.offset, &signal.unit, signal.range, signal.invalid_raw)
+                == (signals[0].factor, signals[0].offset, &signals[0].unit, signals[0].range, None)
         };
         if !signals.iter().all(alike) {
             self.report
@@ -687,9 +797,11 @@ impl Reader<'_> {
         for value in bound[2..].iter().flatten().filter(|value| value.unit() != Unit::Count) {
             self.report.offset(here, format!("`{}` does not count", value.path()));
         }
-        let scales =
-            [bound[0], bound[1]].into_iter().flatten().map(|value| self.scale(value, signals[0], here));
-        let scales: Vec<Option<Linear>> = scales.collect();
+        let scales = [bound[0], bound[1]]
+            .into_iter()
+            .flatten()
+            .map(|value| self.scale(value, signals[0], &Said::default(), here));
+        let scales: Vec<Option<Linear>> = scales.map(|scale| scale.map(|(linear, _)| linear)).collect();
         if scales.windows(2).any(|pair| pair[0] != pair[1]) {
             self.report.offset(here, "`highest` and `lowest` are values of different units");
         }
@@ -706,6 +818,7 @@ impl Reader<'_> {
             message: first,
             node,
             len: message.len,
+            cycle_ms: message.cycle_ms,
             timeout_ms: usual_timeout(message),
             checksum: None,
             expected: false,
@@ -722,7 +835,7 @@ impl Reader<'_> {
             start,
             size,
             valid: (signals[0].range.0 as u8, signals[0].range.1 as u8),
-            scale: scales.first().copied().unwrap_or(Some(signals[0].scale))?,
+            scale: scales.first().copied().unwrap_or(signals[0].scale)?,
             bound,
         };
         Some((row, rx))
@@ -765,9 +878,11 @@ impl Reader<'_> {
         message: &Message,
         maps: &Maps<'_>,
     ) -> Option<Term> {
-        const KEYS: [&str; 5] = ["magnitude", "map", "other", "round", "signal"];
+        const KEYS: [&str; 10] =
+            ["factor", "magnitude", "map", "negate", "offset", "other", "round", "signal", "unit", "when"];
         let mut name = None;
         let (mut nearest, mut magnitude) = (false, false);
+        let (mut said, mut when) = (Said::default(), None);
         let (mut map, mut other): (Option<Vec<Entry<'_>>>, _) = (None, None);
         match at.get_ref() {
             DeValue::String(text) => name = Some((text.to_string(), at.span().start)),
@@ -777,6 +892,11 @@ impl Reader<'_> {
                         "signal" => name = Some((self.text(value_at), value_at.span().start)),
                         "round" => nearest = self.rounding(value_at),
                         "magnitude" => magnitude = self.flag(value_at),
+                        "when" => when = Some(value_at),
+                        "negate" => said.negate = self.flag(value_at),
+                        "unit" => said.unit = Some(self.text(value_at)),
+                        "factor" => said.factor = self.decimal(value_at),
+                        "offset" => said.offset = self.decimal(value_at),
                         "map" => map = self.map(value_at, maps),
                         "other" => other = self.state(value, value_at),
                         key_name => self.unknown(key.span().start, "key", key_name, KEYS.into_iter()),
@@ -791,10 +911,19 @@ impl Reader<'_> {
         };
         let index = self.signal(&name, offset, message)?;
         let signal = &message.signals[index];
-        if value.unit() == Unit::Bits && signal.length != 1 {
-            self.report.offset(offset, format!("`{name}` has {} bits, one is needed", signal.length));
+        if value.unit() == Unit::Bits && signal.length != 1 && when.is_none() {
+            let advice = "say at which values the bit is set: `when = [2, 3]`";
+            self.report.offset(offset, format!("`{name}` has {} bits: {advice}", signal.length));
         }
-        let how = if value.unit() == Unit::Bits {
+        if let Some(when) = when.filter(|_| value.unit() != Unit::Bits) {
+            self.report.offset(
+                when.span().start,
+                format!("`{}` is no list of bits: `when` says nothing", value.path()),
+            );
+        }
+        let how = if let (Unit::Bits, Some(when)) = (value.unit(), when) {
+            How::Mapped { states: self.set_at(when, signal), other: Some(0) }
+        } else if value.unit() == Unit::Bits {
             How::Mapped { states: plain_flag(), other: None }
         } else if map.is_some() || value.unit().kind().is_some() {
             let mut states = self.states(value, signal, map.unwrap_or_default(), at.span().start)?;
@@ -803,9 +932,53 @@ impl Reader<'_> {
             }
             How::Mapped { states, other }
         } else {
-            How::Scaled { linear: self.scale(value, signal, at.span().start)?, nearest, magnitude }
+            let (linear, off) = self.scale(value, signal, &said, at.span().start)?;
+            match signal.number.is_float() {
+                true => How::Float { linear, nearest, magnitude },
+                false => How::Scaled { linear, nearest, magnitude, off },
+            }
         };
         Some(Term { signal: index, how })
+    }
+
+    /// Reads the raw values, as numbers or words of the value table, at which a bit is set.
+    fn set_at(&mut self, at: &Spanned<DeValue<'_>>, signal: &Signal) -> States {
+        let mut states = States::new();
+        let DeValue::Array(list) = at.get_ref() else {
+            self.wrong(at, "a list of raw values or words");
+            return states;
+        };
+        if list.is_empty() {
+            self.report.offset(at.span().start, "a bit that is never set says nothing: name a raw value");
+        }
+        for at in list.iter() {
+            let (lowest, highest) = signal.short_span();
+            if let DeValue::String(word) = at.get_ref() {
+                let raws = signal.values.iter().filter(|(_, known)| known == word).map(|(raw, _)| *raw);
+                let before = states.len();
+                states.extend(raws.map(|raw| (raw, Some(1))));
+                if states.len() == before {
+                    let known = signal.values.iter().map(|(_, word)| word.as_str());
+                    self.unknown(at.span().start, &format!("value of `{}` called", signal.name), word, known);
+                }
+            } else {
+                states.insert(self.number(at, lowest..=highest), Some(1));
+            }
+        }
+        states
+    }
+
+    /// Reads a number with a point or without, exactly.
+    fn decimal(&mut self, at: &Spanned<DeValue<'_>>) -> Option<Ratio> {
+        let number = match at.get_ref() {
+            DeValue::Integer(integer) => Ratio::parse(integer.as_str()),
+            DeValue::Float(float) => Ratio::parse(float.as_str()),
+            _ => None,
+        };
+        if number.is_none() {
+            self.wrong(at, "a decimal number");
+        }
+        number
     }
 
     fn rounding(&mut self, at: &Spanned<DeValue<'_>>) -> bool {
@@ -877,6 +1050,11 @@ impl Reader<'_> {
         offset: usize,
     ) -> Option<States> {
         let known = states(value.unit());
+        if signal.number.is_float() {
+            let text = format!("`{}` is a state, `{}` an IEEE float", value.path(), signal.name);
+            self.report.offset(offset, text);
+            return None;
+        }
         let mut states = States::new();
         if value.unit() == Unit::Flag && signal.length == 1 && map.is_empty() {
             return Some(plain_flag());
@@ -896,7 +1074,7 @@ impl Reader<'_> {
                     Some(hex) => i64::from_str_radix(hex, 16).ok(),
                     None => name.parse().ok(),
                 };
-                let (lowest, highest) = signal.span();
+                let (lowest, highest) = signal.short_span();
                 raws.extend(by_number.filter(|raw| (lowest..=highest).contains(raw)));
             }
             if raws.is_empty() {
@@ -929,30 +1107,25 @@ impl Reader<'_> {
         Some(states)
     }
 
-    /// Returns model counts as a function of the raw value.
-    fn scale(&mut self, value: Value, signal: &Signal, offset: usize) -> Option<Linear> {
-        let Some(counts) = counts_per(value.unit(), &signal.unit) else {
+    /// Returns model counts as a function of the raw value, and by how many counts it is off at most.
+    fn scale(&mut self, value: Value, signal: &Signal, said: &Said, offset: usize) -> Option<(Linear, f64)> {
+        let unit = said.unit.as_ref().unwrap_or(&signal.unit);
+        let Some(counts) = counts_per(value.unit(), unit) else {
             let text = format!(
-                "`{}` is measured in {}, but `{}` has the unit \"{}\"",
+                "`{}` is measured in {}, but `{}` has the unit \"{unit}\"",
                 value.path(),
                 accepted(value.unit()).join(" or "),
                 signal.name,
-                signal.unit
             );
             self.report.offset(offset, text);
             return None;
         };
-        let linear = Linear::new(signal.factor * counts, signal.offset * counts);
-        let fits = |linear: &Linear| {
-            let at = |raw| i32::try_from(linear.floor(raw)).is_ok();
-            at(signal.range.0) && at(signal.range.1)
-        };
-        let linear = linear.filter(fits);
-        if linear.is_none() {
+        let scale = near_scale(signal, said, counts);
+        if scale.is_none() {
             let text = format!("`{}` does not fit in 31 bits of `{}`", signal.name, value.path());
             self.report.offset(offset, text);
         }
-        linear
+        scale
     }
 
     fn sent(&mut self, at: &Spanned<DeValue<'_>>, nodes: &[NodeRow], maps: &Maps<'_>) -> Vec<Tx> {
@@ -973,7 +1146,7 @@ impl Reader<'_> {
                     "checksum" => row.checksum = self.checksum(value, message),
                     signal => {
                         let Some(signal) = self.signal(signal, key.span().start, message) else { continue };
-                        if matches!(message.signals[signal].mux, Mux::When(_)) {
+                        if !message.signals[signal].when.is_empty() {
                             let text = "the cluster sends no multiplexed signals";
                             self.report.offset(key.span().start, text);
                         }
@@ -1015,7 +1188,10 @@ impl Reader<'_> {
                         "from" => path = Some((self.text(value), value.span().start)),
                         "round" => nearest = self.rounding(value),
                         "map" => map_at = Some(value),
-                        "missing" => missing = Some(self.number(value, signal.span().0..=signal.span().1)),
+                        "missing" => {
+                            let (lowest, highest) = signal.short_span();
+                            missing = Some(self.number(value, lowest..=highest));
+                        }
                         "bits" => part = self.part(value, signal),
                         other => self.unknown(key.span().start, "key", other, KEYS.into_iter()),
                     }
@@ -1031,7 +1207,17 @@ impl Reader<'_> {
             self.unknown(offset, "model value", &path, Value::ALL.iter().map(|value| value.path()));
             return None;
         };
-        let missing = missing.or(signal.invalid_raw).unwrap_or(signal.start_raw);
+        if signal.number.is_float() {
+            let text = format!(
+                "`{}` is an IEEE float (SIG_VALTYPE_): the cluster sends whole numbers only",
+                signal.name
+            );
+            self.report.offset(at.span().start, text);
+            return None;
+        }
+        let usual = signal.invalid_raw.unwrap_or(signal.start_raw);
+        // Only a raw value of 64 bits without a sign can be longer; it is sent by its bits.
+        let missing = missing.unwrap_or(usual as i64);
         let how = if map_at.is_some() || value.unit().kind().is_some() {
             let map = match map_at {
                 Some(at) => self.map(at, maps)?,
@@ -1084,12 +1270,18 @@ impl Reader<'_> {
     ) -> Option<HowBack> {
         let counts = counts_per(value.unit(), &signal.unit);
         let Some(counts) = counts else {
-            self.scale(value, signal, offset);
+            self.scale(value, signal, &Said::default(), offset);
             return None;
         };
-        let one = Ratio::whole(1);
-        let linear =
-            Linear::new(one / (signal.factor * counts), (Ratio::ZERO - signal.offset) / signal.factor);
+        let back = scaled_by(signal, &Said::default(), counts).and_then(|(factor, _)| {
+            let offset = Ratio::ZERO.checked_sub(signal.offset)?.checked_div(signal.factor)?;
+            Some((Ratio::whole(1).checked_div(factor)?, offset))
+        });
+        let counts_at =
+            |raw: i128| (raw as f64 * signal.factor.approximately() + signal.offset.approximately()) as i128;
+        let span = (counts_at(signal.range.0), counts_at(signal.range.1));
+        let linear = back.and_then(|(factor, offset)| Linear::near(factor, offset, span));
+        let linear = linear.filter(|(_, off)| *off <= 0.5).map(|(linear, _)| linear);
         if linear.is_none() {
             let text = format!("`{}` cannot be computed from `{}` in 31 bits", signal.name, value.path());
             self.report.offset(offset, text);

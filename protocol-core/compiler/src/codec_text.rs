@@ -1,11 +1,11 @@
 //! Rust text of the messages: one type per message, getters and setters of straight shifts and masks.
 
-use crate::names::{function_name, type_name};
-use crate::network::{Message, Network, Segment, Signal};
+use crate::network::{Condition, Message, Network, Segment, Signal};
+use crate::number::Number;
 use crate::one_line;
 use crate::ratio::Linear;
 use protocol_core::CanId;
-use protocol_core::codec::{LifeKind, Mux, Order};
+use protocol_core::codec::{self, LifeKind, Mux, Order};
 use std::fmt::Write;
 
 /// Bits of the integer that holds the raw value.
@@ -13,17 +13,18 @@ pub(crate) fn width(signal: &Signal) -> u8 {
     match signal.length {
         0..=8 => 8,
         9..=16 => 16,
-        _ => 32,
+        17..=32 => 32,
+        _ => 64,
     }
 }
 
 fn raw_type(signal: &Signal) -> String {
-    format!("{}{}", if signal.signed { 'i' } else { 'u' }, width(signal))
+    format!("{}{}", if signal.signed() { 'i' } else { 'u' }, width(signal))
 }
 
 /// Type of the physical value: 32 bits unless the valid range needs more.
-fn physical_type(signal: &Signal) -> &'static str {
-    let fits = |raw: i64| i32::try_from(raw * signal.scale.mul + signal.scale.add).is_ok();
+fn physical_type(signal: &Signal, scale: Linear) -> &'static str {
+    let fits = |raw: i128| i32::try_from(raw * i128::from(scale.mul) + i128::from(scale.add)).is_ok();
     let (lowest, highest) = signal.span();
     if fits(lowest) && fits(highest) { "i32" } else { "i64" }
 }
@@ -83,7 +84,7 @@ fn read_bits(signal: &Signal) -> String {
 
 fn read_raw(signal: &Signal) -> String {
     let bits = read_bits(signal);
-    if !signal.signed {
+    if !signal.signed() {
         return bits;
     }
     let (kind, spare) = (raw_type(signal), width(signal) - signal.length);
@@ -93,13 +94,34 @@ fn read_raw(signal: &Signal) -> String {
     }
 }
 
+/// Returns the condition under which the pattern `raw` of a float is in its range; empty if it has none.
+fn float_validity(signal: &Signal, raw: &str) -> String {
+    let bits = width(signal);
+    let key = |value: f64| match signal.number {
+        Number::Float32 => i64::from(codec::float32_order(signal.number.pattern(value) as u32)),
+        _ => codec::float64_order(signal.number.pattern(value) as u64),
+    };
+    let mut terms = Vec::new();
+    if let Some((low, high)) = signal.float_range {
+        // Minus zero is zero too.
+        let low = if low == 0.0 { -0.0 } else { low };
+        terms.push(format!("codec::float{bits}_order({raw}) >= {}", key(low)));
+        terms.push(format!("codec::float{bits}_order({raw}) <= {}", key(high + 0.0)));
+    }
+    terms.extend(signal.invalid_raw.map(|invalid| format!("{raw} != {invalid}")));
+    terms.join(" && ")
+}
+
 /// Returns the condition under which `raw` is a value; empty if it always is.
 pub(crate) fn validity(signal: &Signal, raw: &str) -> String {
+    if signal.number.is_float() {
+        return float_validity(signal, raw);
+    }
     let (lowest, highest) = signal.span();
     let (low, high) = signal.range;
     let mut terms = match (low > lowest, high < highest) {
         (false, false) => vec![],
-        (false, true) if signal.signed || high > 0 => vec![format!("{raw} <= {high}")],
+        (false, true) if signal.signed() || high > 0 => vec![format!("{raw} <= {high}")],
         (false, true) => vec![format!("{raw} == {high}")],
         (true, false) => vec![format!("{raw} >= {low}")],
         (true, true) => vec![format!("{raw} >= {low}"), format!("{raw} <= {high}")],
@@ -124,14 +146,15 @@ pub(crate) fn counts(raw: &str, kind: &str, mul: i64, add: i64) -> String {
     text
 }
 
-fn range_doc(signal: &Signal) -> String {
+fn range_doc(signal: &Signal, scale: Linear) -> String {
     let (low, high) = signal.range;
-    let unit = match (signal.scale.den, signal.unit.as_str()) {
+    let unit = match (scale.den, signal.unit.as_str()) {
         (1, "") => String::new(),
         (1, unit) => format!("in {}", one_line(unit)),
         (den, unit) => format!("in 1/{den} {}", one_line(unit)).trim_end().to_string(),
     };
-    let values = (low * signal.scale.mul + signal.scale.add, high * signal.scale.mul + signal.scale.add);
+    let value = |raw: i128| raw * i128::from(scale.mul) + i128::from(scale.add);
+    let values = (value(low), value(high));
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     format!("Returns the value{unit}, {} to {}; `None` if not valid.", values.0, values.1)
 }
@@ -140,35 +163,44 @@ fn bits(length: u8) -> String {
     if length == 1 { "1 bit".into() } else { format!("{length} bits") }
 }
 
-fn write_signal(out: &mut String, message: &Message, signal: &Signal) {
-    let name = function_name(&signal.name);
-    let kind = raw_type(signal);
-    let place = match signal.order {
-        Order::Intel => format!("{} from bit {}", bits(signal.length), signal.start),
-        Order::Motorola => format!("{} down from bit {}", bits(signal.length), signal.start),
-    };
-    let when = match signal.mux {
-        Mux::When(raw) => {
-            let selector = message.signals.iter().find(|signal| signal.mux == Mux::Selector);
-            let selector = selector.map_or("", |signal| signal.name.as_str());
-            format!(", only while `{selector}` is {raw}")
-        }
-        _ => String::new(),
-    };
-    let _ = writeln!(out, "    /// Returns `{}` as sent: {place}{when}.", signal.name);
-    let _ = writeln!(out, "    #[inline(always)]");
-    let _ = writeln!(out, "    pub const fn {name}_raw(self) -> {kind} {{ {} }}", read_raw(signal));
-
-    let physical = physical_type(signal);
-    let value = counts("raw", physical, signal.scale.mul, signal.scale.add);
+fn write_getter(out: &mut String, signal: &Signal, scale: Linear) {
+    let name = &signal.function;
+    let physical = physical_type(signal, scale);
+    let value = counts("raw", physical, scale.mul, scale.add);
     let valid = validity(signal, "raw");
-    let _ = writeln!(out, "    /// {}", range_doc(signal));
+    let _ = writeln!(out, "    /// {}", range_doc(signal, scale));
     let body = match valid.as_str() {
         "" => format!("Some({value})"),
         valid => format!("if {valid} {{ Some({value}) }} else {{ None }}"),
     };
     let _ = writeln!(out, "    #[inline(always)]\n    pub const fn {name}(self) -> Option<{physical}> {{");
     let _ = writeln!(out, "        let raw = self.{name}_raw();\n        {body}\n    }}");
+}
+
+fn condition_doc(message: &Message, condition: &Condition) -> String {
+    let range = |(first, last): &(i128, i128)| match first == last {
+        true => first.to_string(),
+        false => format!("{first} to {last}"),
+    };
+    let ranges: Vec<String> = condition.ranges.iter().map(range).collect();
+    format!(", only while `{}` is {}", message.signals[condition.selector].name, ranges.join(" or "))
+}
+
+fn write_signal(out: &mut String, message: &Message, signal: &Signal) {
+    let (name, kind) = (&signal.function, raw_type(signal));
+    let place = match signal.order {
+        Order::Intel => format!("{} from bit {}", bits(signal.length), signal.start),
+        Order::Motorola => format!("{} down from bit {}", bits(signal.length), signal.start),
+    };
+    let when: String = signal.when.iter().map(|condition| condition_doc(message, condition)).collect();
+    let _ = writeln!(out, "    /// Returns `{}` as sent: {place}{when}.", signal.name);
+    let _ = writeln!(out, "    #[inline(always)]");
+    let _ = writeln!(out, "    pub const fn {name}_raw(self) -> {kind} {{ {} }}", read_raw(signal));
+
+    // What no row can hold is read by the decoder alone.
+    if let Some(scale) = signal.scale.filter(|_| signal.has_row(message)) {
+        write_getter(out, signal, scale);
+    }
 
     let _ = writeln!(out, "    /// Returns the frame with `{}` set to the low bits of `raw`.", signal.name);
     let _ = writeln!(out, "    #[inline(always)]");
@@ -183,7 +215,7 @@ fn write_signal(out: &mut String, message: &Message, signal: &Signal) {
 fn write_segment(signal: &Signal, segment: Segment) -> String {
     let Segment { byte, low, bits, place } = segment;
     let width = width(signal);
-    let unsigned = if signal.signed { format!("(raw as u{width})") } else { "raw".into() };
+    let unsigned = if signal.signed() { format!("(raw as u{width})") } else { "raw".into() };
     let part = match (width, place) {
         (8, 0) => unsigned,
         (8, _) => format!("({unsigned} >> {place})"),
@@ -212,12 +244,12 @@ fn cycle_doc(message: &Message) -> String {
 }
 
 fn write_message(out: &mut String, message: &Message, like: Option<&Message>) {
-    let name = type_name(&message.name);
+    let name = &message.type_name;
     let id = CanId::from_packed(message.id);
     let sender = if message.sender.is_empty() { String::new() } else { format!(" from {}", message.sender) };
     let _ = writeln!(out, "\n/// {} ({id}){sender}{}.", message.name, cycle_doc(message));
     if let Some(like) = like {
-        let _ = writeln!(out, "pub type {name} = {};", type_name(&like.name));
+        let _ = writeln!(out, "pub type {name} = {};", &like.type_name);
         return;
     }
     let _ = writeln!(out, "#[derive(Clone, Copy, Debug, PartialEq, Eq)]\npub struct {name}(pub [u8; 8]);\n");
@@ -234,18 +266,19 @@ fn write_message(out: &mut String, message: &Message, like: Option<&Message>) {
 }
 
 fn write_accessors(out: &mut String, message: &Message) {
-    let name = type_name(&message.name);
-    let get = format!("get_{}", function_name(&message.name));
-    let set = format!("set_{}", function_name(&message.name));
-    if message.signals.is_empty() {
+    let name = &message.type_name;
+    let rows: Vec<&Signal> = message.signals.iter().filter(|signal| signal.has_row(message)).collect();
+    let get = format!("get_{}", message.function);
+    let set = format!("set_{}", message.function);
+    if rows.is_empty() {
         let _ = writeln!(out, "\nfn {get}(_index: usize, _data: [u8; 8]) -> Option<Got> {{ None }}");
         let _ = writeln!(out, "\nfn {set}(_index: usize, data: [u8; 8], _raw: i64) -> [u8; 8] {{ data }}");
         return;
     }
     let _ = writeln!(out, "\nfn {get}(index: usize, data: [u8; 8]) -> Option<Got> {{");
     let _ = writeln!(out, "    let frame = {name}(data);\n    Some(match index {{");
-    for (index, signal) in message.signals.iter().enumerate() {
-        let signal = function_name(&signal.name);
+    for (index, signal) in rows.iter().enumerate() {
+        let signal = &signal.function;
         let _ = writeln!(
             out,
             "        {index} => (frame.{signal}_raw() as i64, frame.{signal}().map(|value| value as i64)),"
@@ -254,19 +287,15 @@ fn write_accessors(out: &mut String, message: &Message) {
     let _ = writeln!(out, "        _ => return None,\n    }})\n}}\n");
     let _ = writeln!(out, "fn {set}(index: usize, data: [u8; 8], raw: i64) -> [u8; 8] {{");
     let _ = writeln!(out, "    let frame = {name}(data);\n    match index {{");
-    for (index, signal) in message.signals.iter().enumerate() {
+    for (index, signal) in rows.iter().enumerate() {
         let kind = raw_type(signal);
-        let _ = writeln!(
-            out,
-            "        {index} => frame.with_{}_raw(raw as {kind}).0,",
-            function_name(&signal.name)
-        );
+        let _ = writeln!(out, "        {index} => frame.with_{}_raw(raw as {kind}).0,", &signal.function);
     }
     let _ = writeln!(out, "        _ => data,\n    }}\n}}");
 }
 
 fn write_info(out: &mut String, message: &Message, like: &Message) {
-    let function = function_name(&like.name);
+    let function = &like.function;
     let _ = write!(out, "    MessageInfo {{ id: {}, name: {:?}, ", id_text(message.id), message.name);
     let _ =
         write!(out, "sender: {:?}, len: {}, cycle_ms: {}, ", message.sender, message.len, message.cycle_ms);
@@ -277,15 +306,16 @@ fn write_info(out: &mut String, message: &Message, like: &Message) {
 
 /// Returns the name of the table of a message's signals.
 fn table_name(message: &Message) -> String {
-    format!("{}_SIGNALS", function_name(&message.name).to_uppercase())
+    format!("{}_SIGNALS", message.function.to_uppercase())
 }
 
-fn write_signal_info(out: &mut String, signal: &Signal) {
+fn write_signal_info(out: &mut String, message: &Message, signal: &Signal) {
+    let (Some(Linear { mul, add, den }), Some(mux)) = (signal.scale, message.mux(signal)) else { return };
     let order = match signal.order {
         Order::Intel => "Intel",
         Order::Motorola => "Motorola",
     };
-    let mux = match signal.mux {
+    let mux = match mux {
         Mux::Always => "Mux::Always".into(),
         Mux::Selector => "Mux::Selector".into(),
         Mux::When(raw) => format!("Mux::When({raw})"),
@@ -297,10 +327,10 @@ fn write_signal_info(out: &mut String, signal: &Signal) {
         Some(LifeKind::Nibble) => "Some(LifeKind::Nibble)",
     };
     let values: Vec<String> = signal.values.iter().map(|(raw, word)| format!("({raw}, {word:?})")).collect();
-    let Linear { mul, add, den } = signal.scale;
     let _ = write!(out, "    SignalInfo {{ name: {:?}, ", signal.name);
     let _ = write!(out, "start: {}, length: {}, order: Order::{order}, ", signal.start, signal.length);
-    let _ = write!(out, "signed: {}, scale: Scale {{ mul: {mul}, add: {add}, den: {den} }}, ", signal.signed);
+    let _ =
+        write!(out, "signed: {}, scale: Scale {{ mul: {mul}, add: {add}, den: {den} }}, ", signal.signed());
     let _ =
         write!(out, "unit: {:?}, range: {:?}, start_raw: {}, ", signal.unit, signal.range, signal.start_raw);
     let _ = write!(out, "invalid_raw: {:?}, mux: {mux}, life: {life}, ", signal.invalid_raw);
@@ -312,8 +342,8 @@ fn write_signal_info(out: &mut String, signal: &Signal) {
 /// Messages that differ only in identifier and cycle share their type and their signals.
 pub(crate) fn write(out: &mut String, network: &Network) {
     out.push_str("\n/// Identifiers.\npub mod id {\n    use crate::frame::CanId;\n\n");
-    for message in &network.messages {
-        let name = function_name(&message.name).to_uppercase();
+    for message in network.messages.iter().filter(|message| message.doubt.is_none()) {
+        let name = message.function.to_uppercase();
         let _ = writeln!(
             out,
             "    /// {}.\n    pub const {name}: CanId = {};",
@@ -325,12 +355,15 @@ pub(crate) fn write(out: &mut String, network: &Network) {
     let layout = |index: usize| {
         let message = &network.messages[index];
         let same = |other: &&Message| {
-            other.signals == message.signals && other.fill == message.fill && other.len == message.len
+            other.doubt.is_none()
+                && other.signals == message.signals
+                && other.fill == message.fill
+                && other.len == message.len
         };
         network.messages[..index].iter().find(same)
     };
     let layouts: Vec<Option<&Message>> = (0..network.messages.len()).map(layout).collect();
-    let all = || network.messages.iter().zip(&layouts);
+    let all = || network.messages.iter().zip(&layouts).filter(|(message, _)| message.doubt.is_none());
     for (message, like) in all() {
         write_message(out, message, *like);
     }
@@ -339,8 +372,8 @@ pub(crate) fn write(out: &mut String, network: &Network) {
     }
     for (message, _) in all().filter(|(_, like)| like.is_none()) {
         let _ = writeln!(out, "\nstatic {}: &[SignalInfo] = &[", table_name(message));
-        for signal in &message.signals {
-            write_signal_info(out, signal);
+        for signal in message.signals.iter().filter(|signal| signal.has_row(message)) {
+            write_signal_info(out, message, signal);
         }
         out.push_str("];\n");
     }

@@ -2,24 +2,67 @@
 //!
 //! Errors are collected, not thrown: one run shows all of them.
 
+use crate::places::At;
 use std::fmt;
 
-/// One thing that is wrong, at one line of one file.
+/// What a finding keeps from being done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Grade {
+    /// What is asked for cannot be had.
+    #[default]
+    Error,
+    /// A part of the file cannot be had; what is bound elsewhere can.
+    Warning,
+    /// Worth knowing: something was understood another way than it is written, or is missing.
+    Note,
+}
+
+/// One thing that is wrong, at one place of one file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Diagnostic {
     /// File, relative to the repository.
     pub file: String,
     /// Line, from 1; 0 = the file as a whole.
     pub line: usize,
+    /// Column, from 1, in bytes; 0 = the line as a whole.
+    pub column: usize,
+    /// What it keeps from being done.
+    pub grade: Grade,
     /// What is wrong and what would be right.
     pub message: String,
 }
 
+impl Diagnostic {
+    /// Returns an error at a line.
+    pub fn new(file: &str, line: usize, message: impl Into<String>) -> Self {
+        Self { file: file.into(), line, column: 0, grade: Grade::Error, message: message.into() }
+    }
+}
+
+impl Diagnostic {
+    /// Returns the message without its names and numbers: what findings of one kind have in common.
+    pub fn form(&self) -> String {
+        let words = self.message.split('`').step_by(2).collect::<Vec<_>>().join("X");
+        let plain =
+            words.split_whitespace().map(|word| match word.chars().any(|letter| letter.is_ascii_digit()) {
+                true => "N",
+                false => word,
+            });
+        plain.collect::<Vec<_>>().join(" ")
+    }
+}
+
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            0 => write!(f, "{}: {}", self.file, self.message),
-            line => write!(f, "{}:{line}: {}", self.file, self.message),
+        let grade = match self.grade {
+            Grade::Error => "",
+            Grade::Warning => "warning: ",
+            Grade::Note => "note: ",
+        };
+        match (self.line, self.column) {
+            (0, _) => write!(f, "{}: {grade}{}", self.file, self.message),
+            (line, 0) => write!(f, "{}:{line}: {grade}{}", self.file, self.message),
+            (line, column) => write!(f, "{}:{line}:{column}: {grade}{}", self.file, self.message),
         }
     }
 }
@@ -31,21 +74,31 @@ pub struct Diagnostics(pub Vec<Diagnostic>);
 impl Diagnostics {
     /// Returns a list of one.
     pub fn one(file: &str, line: usize, message: impl Into<String>) -> Self {
-        Self(vec![Diagnostic { file: file.into(), line, message: message.into() }])
+        Self(vec![Diagnostic::new(file, line, message)])
     }
 
-    /// Returns `value` if nothing is wrong, else all that is, sorted.
+    /// Returns whether one of them is an error.
+    pub fn have_error(&self) -> bool {
+        self.0.iter().any(|found| found.grade == Grade::Error)
+    }
+
+    /// Returns `value` if there is no error, else all that was found, sorted.
     ///
     /// # Errors
     ///
-    /// Returns itself if it is not empty.
+    /// Returns itself if one of them is an error.
     pub fn or<T>(mut self, value: T) -> Result<T, Self> {
-        if self.0.is_empty() {
+        if !self.have_error() {
             return Ok(value);
         }
+        self.sort();
+        Err(self)
+    }
+
+    /// Sorts by file and line and drops what stands there twice.
+    pub fn sort(&mut self) {
         self.0.sort();
         self.0.dedup();
-        Err(self)
     }
 }
 
@@ -77,7 +130,23 @@ impl<'a> Report<'a> {
 
     /// Notes a fault at a line, from 1.
     pub(crate) fn line(&mut self, line: usize, message: impl Into<String>) {
-        self.found.push(Diagnostic { file: self.file.into(), line, message: message.into() });
+        self.found.push(Diagnostic::new(self.file, line, message));
+    }
+
+    /// Notes a finding at a place.
+    pub(crate) fn at(&mut self, at: At, grade: Grade, message: impl Into<String>) {
+        let found = Diagnostic::new(self.file, at.line, message);
+        self.found.push(Diagnostic { column: at.column, grade, ..found });
+    }
+
+    /// Notes what cannot be had.
+    pub(crate) fn warning(&mut self, at: At, message: impl Into<String>) {
+        self.at(at, Grade::Warning, message);
+    }
+
+    /// Notes what is worth knowing.
+    pub(crate) fn note(&mut self, at: At, message: impl Into<String>) {
+        self.at(at, Grade::Note, message);
     }
 
     /// Notes a fault at a byte offset.

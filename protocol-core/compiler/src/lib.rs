@@ -12,16 +12,29 @@ mod binding;
 mod codec_text;
 mod diagnostics;
 pub mod encoding;
+mod fix;
+mod gate;
+mod interpreter;
 pub mod lint;
 mod meaning;
+mod multiplex;
 mod names;
-mod network;
+pub mod network;
+mod number;
 mod places;
 pub mod proof;
+pub mod proposal;
 mod ratio;
+mod spelling;
+mod sweep;
+mod syntax;
 mod vehicle_text;
 
-pub use diagnostics::{Diagnostic, Diagnostics, did_you_mean};
+pub use diagnostics::{Diagnostic, Diagnostics, Grade, did_you_mean};
+pub use fix::fix;
+pub use interpreter::RunTime;
+pub use names::wrong_folder;
+pub use number::Number;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,8 +68,8 @@ struct Compiled {
 }
 
 fn compile_vehicle(name: &str, dbc: (&str, &str), toml: (&str, &str)) -> Result<Compiled, Diagnostics> {
-    let network = network::read(dbc.0, dbc.1)?;
-    let binding = binding::read(toml.0, toml.1, &network)?;
+    let network = gate::read(dbc.0, dbc.1)?.network;
+    let binding = binding::read(toml.0, toml.1, dbc.0, &network)?;
     let mut out = format!(
         "//! Vehicle `{name}`: {} ({}).\n//!\n//! Generated from `{}` and `{}`; refresh with `cargo xtask codegen`.\n\n",
         one_line(&binding.en),
@@ -101,7 +114,7 @@ pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
         let name = entry.file_name().to_string_lossy().into_owned();
         let files = [format!("{name}.dbc"), "vehicle.toml".into()];
         match files.map(|file| entry.path().join(file).is_file()) {
-            [true, true] => match names::wrong_folder(&name) {
+            [true, true] => match wrong_folder(&name) {
                 None => names.push(name),
                 Some(reason) => wrong.0.extend(Diagnostics::one(&format!("vehicles/{name}"), 0, reason).0),
             },
@@ -109,11 +122,7 @@ pub fn vehicles(root: &Path) -> Result<Vec<String>, Diagnostics> {
             [dbc, _] => {
                 let file = if dbc { "vehicle.toml".to_string() } else { format!("{name}.dbc") };
                 let message = "is missing: a vehicle needs both files, see vehicles/FORMAT.md";
-                wrong.0.push(Diagnostic {
-                    file: format!("vehicles/{name}/{file}"),
-                    line: 0,
-                    message: message.into(),
-                });
+                wrong.0.push(Diagnostic::new(&format!("vehicles/{name}/{file}"), 0, message));
             }
         }
     }
@@ -139,7 +148,12 @@ pub fn compile_all(root: &Path) -> Result<Vec<(PathBuf, String)>, Diagnostics> {
             let bytes = fs::read(root.join(&file));
             let bytes =
                 bytes.map_err(|error| Diagnostics::one(&file, 0, format!("cannot be read: {error}")))?;
-            encoding::decode(&file, bytes).map(|text| (file, text))
+            let read = if file.ends_with(".dbc") {
+                encoding::read(&file, bytes).map(|read| read.text)
+            } else {
+                encoding::decode(&file, bytes)
+            };
+            read.map(|text| (file, text))
         };
         let compiled = read(format!("vehicles/{name}/{name}.dbc")).and_then(|dbc| {
             let toml = read(format!("vehicles/{name}/vehicle.toml"))?;
@@ -251,7 +265,7 @@ pub fn check(root: &Path) -> Result<(), Diagnostics> {
     let mut wrong = Diagnostics::default();
     let mut note = |path: &Path, line, message: &str| {
         let message = format!("{message}: run `cargo xtask codegen` and commit the result");
-        wrong.0.push(Diagnostic { file: path.to_string_lossy().into_owned(), line, message });
+        wrong.0.push(Diagnostic::new(&path.to_string_lossy(), line, message));
     };
     for (path, text) in &files {
         match fs::read_to_string(root.join(path)) {

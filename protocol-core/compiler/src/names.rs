@@ -1,10 +1,10 @@
-//! Rust names of DBC names: legal, and proved different before anything is generated.
+//! Rust names of DBC names: legal and different.
 //!
-//! A name that would be a word of the language or of the generated text gets a prefix. Two names that become one are an
-//! error with both lines: which of them to rename is for the author of the DBC to say.
+//! A name that would be a word of the language or of the generated text gets a prefix, the second of two that would be one
+//! a number. Tools and vehicle.toml know the names of the DBC only.
 
-use crate::diagnostics::Report;
-use std::collections::BTreeMap;
+use crate::network::Message;
+use std::collections::BTreeSet;
 
 /// Words that cannot be the name of a function: the keywords of all editions, strict and reserved, and `new`.
 const KEYWORDS: [&str; 53] = [
@@ -98,7 +98,7 @@ pub(crate) fn function_name(name: &str) -> String {
 }
 
 /// Returns why a folder cannot give a vehicle its name, `None` if it can: the name is that of a module.
-pub(crate) fn wrong_folder(name: &str) -> Option<&'static str> {
+pub fn wrong_folder(name: &str) -> Option<&'static str> {
     let is_plain = |letter: char| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_';
     if !name.starts_with(|first: char| first.is_ascii_lowercase()) || !name.chars().all(is_plain) {
         return Some("a vehicle's folder is named with a to z, 0 to 9 and _, a letter first");
@@ -106,47 +106,42 @@ pub(crate) fn wrong_folder(name: &str) -> Option<&'static str> {
     KEYWORDS.contains(&name).then_some("is a word of Rust and cannot name a vehicle's folder")
 }
 
-/// A name of the DBC and its line.
-#[derive(Clone, Copy)]
-pub(crate) struct Named<'a> {
-    pub(crate) name: &'a str,
-    pub(crate) line: usize,
+/// Returns whether a text can be the name of a message or a signal.
+pub(crate) fn is_name(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
 }
 
-/// Reports each name that is another one's in Rust. `messages` are all messages with their signals.
-pub(crate) fn report_collisions(messages: &[(Named<'_>, Vec<Named<'_>>)], report: &mut Report<'_>) {
-    let rust = |name: &str| vec![type_name(name), function_name(name)];
-    report_among("message", messages.iter().map(|(message, _)| *message), rust, report);
-    for (_, signals) in messages {
-        let methods = |name: &str| {
-            let name = function_name(name);
-            vec![name.clone(), format!("{name}_raw"), format!("with_{name}_raw")]
+/// Gives each message and each signal of it a name in Rust that no other has: the second of two that would be one gets a
+/// number behind it, and so on in the order of the file.
+pub(crate) fn make_unique(messages: &mut [Message]) {
+    let mut taken = BTreeSet::new();
+    for message in messages {
+        let (kind, function) = (type_name(&message.name), function_name(&message.name));
+        let form = |number: usize| match number {
+            1 => (kind.clone(), function.clone()),
+            number => (format!("{kind}{number}"), format!("{function}_{number}")),
         };
-        report_among("signal", signals.iter().copied(), methods, report);
-    }
-}
-
-fn report_among<'a>(
-    what: &str,
-    names: impl Iterator<Item = Named<'a>>,
-    rust: impl Fn(&str) -> Vec<String>,
-    report: &mut Report<'_>,
-) {
-    let mut owners: BTreeMap<String, Named<'_>> = BTreeMap::new();
-    for named in names {
-        let Named { name, line } = named;
-        for rust in rust(name) {
-            let Some(first) = owners.insert(rust.clone(), named) else { continue };
-            let text = if first.name == name {
-                format!("{what} `{name}` is used before, in line {}", first.line)
-            } else {
-                let other = format!("`{}` in line {}", first.name, first.line);
-                format!("{what} `{name}` and {other} are both `{rust}` in Rust: rename one of them")
+        let names = |number: usize| vec![form(number).0, form(number).1];
+        (message.type_name, message.function) = form(free(&mut taken, names));
+        let mut taken = BTreeSet::new();
+        for signal in &mut message.signals {
+            let name = function_name(&signal.name);
+            let form = |number: usize| if number == 1 { name.clone() } else { format!("{name}_{number}") };
+            let methods = |number: usize| {
+                vec![form(number), format!("{}_raw", form(number)), format!("with_{}_raw", form(number))]
             };
-            report.line(line, text);
-            break;
+            signal.function = form(free(&mut taken, methods));
         }
     }
+}
+
+/// Takes the names of the first number from 1 of which none is taken.
+fn free(taken: &mut BTreeSet<String>, names: impl Fn(usize) -> Vec<String>) -> usize {
+    let is_free = |number: &usize| names(*number).iter().all(|name| !taken.contains(name));
+    // As many numbers as names taken, and one more, always have a free one among them.
+    let number = (1..=taken.len() + 1).find(is_free).unwrap_or(1);
+    taken.extend(names(number));
+    number
 }
 
 #[cfg(test)]

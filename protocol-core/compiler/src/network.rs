@@ -1,57 +1,118 @@
-//! One DBC file, checked: what is on the wire.
+//! What is on the wire: nodes, messages and signals of one DBC file, as [`crate::gate`] has read them.
 //!
-//! `can-dbc` decides whether the text is a DBC; names, ranges, overlaps and attributes are checked here, and the
-//! decimal numbers are read again from the text so that they stay exact. A section that changes what a signal means is
-//! an error with its line as long as nothing here carries it out.
-//! Not supported: IEEE floats, ranges of multiplexers, multiplexed multiplexers, CAN FD, matching by J1939 group.
+//! Numbers stay exact fractions. What a file says and cannot be had is kept beside with its reason, so that it keeps
+//! nobody from using the rest: a message or a signal with a doubt may be looked at, but not bound.
 
-use crate::diagnostics::{Diagnostics, Report, did_you_mean, line_of};
-use crate::names::{self, Named};
-use crate::places::{Entry, MessagePlace, Places, SignalPlace};
+use crate::number::{self, Number};
+use crate::places::At;
 use crate::ratio::{Linear, Ratio};
-use can_dbc::{
-    AttributeDefinition, AttributeValue, AttributeValueType, ByteOrder, Dbc, DbcError, MultiplexIndicator,
-    ValueType,
-};
+use protocol_core::CanId;
 use protocol_core::codec::{LifeKind, Mux, Order};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-pub(crate) struct Network {
-    pub(crate) bitrate: u32,
-    pub(crate) nodes: Vec<String>,
-    pub(crate) messages: Vec<Message>,
+/// What one DBC file says.
+#[derive(Debug)]
+pub struct Network {
+    /// Bits per second (`BusSpeed`), if the file says it.
+    pub bitrate: Option<u32>,
+    /// Names of the nodes, behind those of the list those too that only send.
+    pub nodes: Vec<String>,
+    /// How many of them are in the list.
+    pub(crate) listed_nodes: usize,
+    /// In the order of the file.
+    pub messages: Vec<Message>,
+    by_id: BTreeMap<u32, usize>,
+    by_name: BTreeMap<String, usize>,
 }
 
-pub(crate) struct Message {
-    /// Packed: bit 31 = 29-bit identifier.
-    pub(crate) id: u32,
-    pub(crate) name: String,
-    pub(crate) sender: String,
-    pub(crate) len: u8,
+/// Why something cannot be bound, and where the DBC says it.
+#[derive(Clone, Debug)]
+pub struct Doubt {
+    pub(crate) at: At,
+    /// What is wrong and what would be right.
+    pub text: String,
+}
+
+/// One message.
+#[derive(Debug)]
+pub struct Message {
+    /// Packed: bit 31 = 29-bit identifier. Of a J1939 group the one without priority and source.
+    pub id: u32,
+    /// Whatever the source and the priority, J1939 says that it is this message.
+    pub any_source: bool,
+    /// The long name if there is one.
+    pub name: String,
+    /// The name behind `BO_`.
+    pub(crate) short: String,
+    /// Node that sends it; empty = none is named.
+    pub sender: String,
+    /// Bytes of a frame, 0 to 8.
+    pub len: u8,
     pub(crate) cycle_ms: u32,
     pub(crate) slow_cycle_ms: u32,
     pub(crate) optional: bool,
     pub(crate) fill: [u8; 8],
-    pub(crate) signals: Vec<Signal>,
+    /// Those that can be read.
+    pub signals: Vec<Signal>,
+    /// Those that cannot, by name.
+    pub lost: Vec<(String, Doubt)>,
+    /// Set if no frame of it can be told or read.
+    pub doubt: Option<Doubt>,
+    /// Set if another message has its name.
+    pub(crate) twice: Option<Doubt>,
+    /// Name of its type in Rust.
+    pub(crate) type_name: String,
+    /// Name of its functions in Rust.
+    pub(crate) function: String,
 }
 
-#[derive(PartialEq)]
-pub(crate) struct Signal {
-    pub(crate) name: String,
+/// One signal.
+#[derive(Debug)]
+pub struct Signal {
+    /// The long name if there is one.
+    pub name: String,
+    /// The name behind `SG_`.
+    pub(crate) short: String,
+    pub(crate) at: At,
     pub(crate) start: u8,
-    pub(crate) length: u8,
+    /// Bits, 1 to 64.
+    pub length: u8,
     pub(crate) order: Order,
-    pub(crate) signed: bool,
+    /// What the bits are.
+    pub number: Number,
     pub(crate) factor: Ratio,
     pub(crate) offset: Ratio,
-    pub(crate) scale: Linear,
-    pub(crate) unit: String,
-    pub(crate) range: (i64, i64),
-    pub(crate) start_raw: i64,
-    pub(crate) invalid_raw: Option<i64>,
-    pub(crate) mux: Mux,
+    /// The same in 31 bits, if it is exact.
+    pub(crate) scale: Option<Linear>,
+    /// Unit of the physical value.
+    pub unit: String,
+    /// Lowest and highest valid raw value of a whole number.
+    pub(crate) range: (i128, i128),
+    /// The file says more than the bits can hold.
+    pub(crate) is_limited: bool,
+    /// Lowest and highest valid value of a float, before factor and offset.
+    pub(crate) float_range: Option<(f64, f64)>,
+    pub(crate) start_raw: i128,
+    pub(crate) invalid_raw: Option<i128>,
+    /// Its raw value decides which others are in the frame.
+    pub is_selector: bool,
+    /// All must hold for the signal to be in the frame.
+    pub when: Vec<Condition>,
     pub(crate) life: Option<LifeKind>,
-    pub(crate) values: Vec<(i64, String)>,
+    /// Words for raw values, sorted by raw value.
+    pub values: Vec<(i64, String)>,
+    pub(crate) doubt: Option<Doubt>,
+    /// Name of its getter in Rust.
+    pub(crate) function: String,
+}
+
+/// Raw values of a multiplexer at which a signal is in the frame.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Condition {
+    /// Index of the multiplexer in the message.
+    pub selector: usize,
+    /// First and last raw value of each range.
+    pub ranges: Vec<(i128, i128)>,
 }
 
 /// A run of bits of one signal within one byte.
@@ -65,15 +126,30 @@ pub(crate) struct Segment {
     pub(crate) place: u8,
 }
 
-impl Signal {
-    /// Returns lowest and highest raw value that the bits can hold.
-    pub(crate) fn span(&self) -> (i64, i64) {
-        span(self.length, self.signed)
+impl Network {
+    pub(crate) fn new(
+        bitrate: Option<u32>,
+        (nodes, listed_nodes): (Vec<String>, usize),
+        messages: Vec<Message>,
+    ) -> Self {
+        let sure = || messages.iter().enumerate().filter(|(_, message)| message.doubt.is_none());
+        let by_id = sure().map(|(index, message)| (message.id, index)).collect();
+        let names = messages.iter().enumerate().rev();
+        let by_name = names
+            .flat_map(|(index, message)| [(message.short.clone(), index), (message.name.clone(), index)])
+            .collect();
+        Self { bitrate, nodes, listed_nodes, messages, by_id, by_name }
     }
 
-    /// Returns the runs of bits, from the lowest raw bit up.
-    pub(crate) fn segments(&self) -> Vec<Segment> {
-        segments(self.start, self.length, self.order)
+    /// Returns the index of the message that a frame with `id` is: the one with this identifier, else the one of its
+    /// J1939 group.
+    pub fn message_of(&self, id: CanId) -> Option<usize> {
+        self.by_id.get(&id.packed()).or_else(|| self.by_id.get(&id.group()?.packed())).copied()
+    }
+
+    /// Returns the index of the message with this name, long or short.
+    pub fn index(&self, name: &str) -> Option<usize> {
+        self.by_name.get(name).copied()
     }
 }
 
@@ -82,20 +158,203 @@ impl Message {
         self.signals.iter().find(|signal| signal.life.is_some())
     }
 
-    pub(crate) fn signal(&self, name: &str) -> Option<usize> {
-        self.signals.iter().position(|signal| signal.name == name)
+    /// Returns the index of the signal with this name, long or short.
+    pub fn signal(&self, name: &str) -> Option<usize> {
+        let long = self.signals.iter().position(|signal| signal.name == name);
+        long.or_else(|| self.signals.iter().position(|signal| signal.short == name))
+    }
+
+    /// Returns whether signal `index` is in this frame: multiplexed signals are only sometimes.
+    pub fn carries(&self, index: usize, data: &[u8; 8]) -> bool {
+        let holds = |condition: &Condition| {
+            let raw = self.signals.get(condition.selector).map(|selector| selector.raw(data));
+            raw.is_some_and(|raw| condition.holds(raw))
+        };
+        self.signals.get(index).is_some_and(|signal| signal.when.iter().all(holds))
+    }
+
+    /// Returns a frame of the start values of all signals that are always in it.
+    pub fn start_frame(&self) -> [u8; 8] {
+        let mut data = self.fill;
+        for signal in self.signals.iter().filter(|signal| signal.when.is_empty()) {
+            signal.set_raw(&mut data, signal.start_raw);
+        }
+        data
+    }
+
+    /// Returns how a row of the generated tables says when a signal is in the frame; `None` if it cannot.
+    pub(crate) fn mux(&self, signal: &Signal) -> Option<Mux> {
+        let selectors = self.signals.iter().filter(|signal| signal.is_selector).count();
+        match (signal.when.as_slice(), signal.is_selector) {
+            ([], false) => Some(Mux::Always),
+            ([], true) if selectors == 1 => Some(Mux::Selector),
+            ([Condition { ranges, .. }], false) if selectors == 1 => match ranges.as_slice() {
+                [(first, last)] if first == last => u32::try_from(*first).ok().map(Mux::When),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 }
 
-fn span(length: u8, signed: bool) -> (i64, i64) {
-    match signed {
-        true => (-(1 << (length - 1)), (1 << (length - 1)) - 1),
-        false => (0, (1 << length) - 1),
+impl Condition {
+    /// Returns whether a raw value of the multiplexer is among the ranges.
+    pub fn holds(&self, raw: i128) -> bool {
+        self.ranges.iter().any(|(first, last)| (*first..=*last).contains(&raw))
+    }
+
+    /// Returns whether this and `other` never hold together.
+    fn excludes(&self, other: &Self) -> bool {
+        let apart = |a: &(i128, i128), b: &(i128, i128)| a.1 < b.0 || b.1 < a.0;
+        self.selector == other.selector
+            && self.ranges.iter().all(|a| other.ranges.iter().all(|b| apart(a, b)))
+    }
+}
+
+impl PartialEq for Signal {
+    /// Compares what the bits are and mean; where it stands in the file does not count.
+    fn eq(&self, other: &Self) -> bool {
+        let form = |signal: &Self| (signal.start, signal.length, signal.order, signal.number);
+        let scale = |signal: &Self| (signal.factor, signal.offset, signal.range, signal.float_range);
+        let raws = |signal: &Self| (signal.start_raw, signal.invalid_raw, signal.life, signal.is_selector);
+        (&self.name, &self.function, &self.unit) == (&other.name, &other.function, &other.unit)
+            && form(self) == form(other)
+            && scale(self) == scale(other)
+            && raws(self) == raws(other)
+            && (&self.when, &self.values) == (&other.when, &other.values)
+    }
+}
+
+impl Signal {
+    /// Returns lowest and highest raw value that the bits can hold.
+    pub fn span(&self) -> (i128, i128) {
+        self.number.span(self.length)
+    }
+
+    /// Returns the same limited to 64 bits with a sign.
+    pub(crate) fn short_span(&self) -> (i64, i64) {
+        let short = |raw: i128| raw.clamp(i64::MIN.into(), i64::MAX.into()) as i64;
+        (short(self.span().0), short(self.span().1))
+    }
+
+    /// Returns whether the raw value has a sign.
+    pub(crate) fn signed(&self) -> bool {
+        self.number == Number::Signed
+    }
+
+    /// Returns whether raw and physical value fit a row of the generated tables, exactly.
+    pub(crate) fn has_row(&self, message: &Message) -> bool {
+        let fits = |scale: Linear| {
+            let counts = |raw: i128| raw * i128::from(scale.mul) + i128::from(scale.add);
+            let (low, high) = self.span();
+            [low, high, counts(low), counts(high)].iter().all(|number| i64::try_from(*number).is_ok())
+        };
+        !self.number.is_float() && self.scale.is_some_and(fits) && message.mux(self).is_some()
+    }
+
+    /// Returns the runs of bits, from the lowest raw bit up.
+    pub(crate) fn segments(&self) -> Vec<Segment> {
+        segments(self.start, self.length, self.order)
+    }
+
+    /// Returns whether this and `other` are never in the same frame.
+    pub(crate) fn excludes(&self, other: &Self) -> bool {
+        self.when.iter().any(|own| other.when.iter().any(|theirs| own.excludes(theirs)))
+    }
+
+    /// Returns the raw value in a frame: the whole number that the bits make.
+    pub fn raw(&self, data: &[u8; 8]) -> i128 {
+        let part = |segment: Segment| {
+            let byte = data.get(usize::from(segment.byte)).copied().unwrap_or(0);
+            (u64::from(byte >> segment.low) & ((1 << segment.bits) - 1)) << segment.place
+        };
+        let bits = self.segments().into_iter().map(part).fold(0, |bits, part| bits | part);
+        self.number.of_bits(bits, self.length)
+    }
+
+    /// Writes the low bits of `raw` into a frame and leaves all other bits.
+    pub fn set_raw(&self, data: &mut [u8; 8], raw: i128) {
+        for Segment { byte, low, bits, place } in self.segments() {
+            let mask = (((1u16 << bits) - 1) << low) as u8;
+            let part = ((raw >> place) as u8) << low;
+            if let Some(byte) = data.get_mut(usize::from(byte)) {
+                *byte = *byte & !mask | part & mask;
+            }
+        }
+    }
+
+    /// Returns whether the sender may send `raw` as a value.
+    pub fn is_valid(&self, raw: i128) -> bool {
+        if self.invalid_raw == Some(raw) {
+            return false;
+        }
+        if self.number.is_float() {
+            let value = self.number.float(raw);
+            let (low, high) = self.float_range.unwrap_or((f64::MIN, f64::MAX));
+            return value.is_finite() && low <= value && value <= high;
+        }
+        (self.range.0..=self.range.1).contains(&raw)
+    }
+
+    /// Returns the physical value of `raw` as a decimal, valid or not: exact for whole numbers of up to 37 digits.
+    pub fn value(&self, raw: i128) -> String {
+        if !self.number.is_float() {
+            return number::decimal(raw, self.factor, self.offset);
+        }
+        let value = self.number.float(raw);
+        if (self.factor, self.offset) == (Ratio::whole(1), Ratio::ZERO) && self.number == Number::Float32 {
+            // The shortest decimal that is this float, not the one that is its widened copy.
+            return number::shown((value as f32).to_string().parse().unwrap_or(value));
+        }
+        number::shown(value * self.factor.approximately() + self.offset.approximately())
+    }
+
+    /// Returns the greatest raw value of which the physical value is not above `number / 10^decimals` (not below it, where
+    /// the factor is negative), and whether it is exactly that; `None` if the factor is 0 or the numbers are too long.
+    pub fn raw_of(&self, number: i128, decimals: u32) -> Option<(i128, bool)> {
+        let value = Ratio::new(number, 10i128.checked_pow(decimals)?);
+        let steps = value.checked_sub(self.offset)?.checked_div(self.factor)?;
+        if self.number.is_float() {
+            return Some((self.number.pattern(steps.approximately()), true));
+        }
+        Some((steps.floor(), steps.den == 1))
+    }
+
+    /// Returns the physical distance from one raw value to the next.
+    pub fn step(&self) -> String {
+        number::decimal(1, Ratio { num: self.factor.num.abs(), ..self.factor }, Ratio::ZERO)
+    }
+
+    /// Returns lowest and highest valid raw value of a whole number.
+    pub fn range(&self) -> (i128, i128) {
+        self.range
+    }
+
+    /// Returns whether a higher raw value is a lower physical value.
+    pub fn is_falling(&self) -> bool {
+        self.factor.num < 0
+    }
+
+    /// Returns the word for a raw value.
+    pub fn word(&self, raw: i128) -> Option<&str> {
+        let raw = i64::try_from(raw).ok()?;
+        let index = self.values.binary_search_by_key(&raw, |(value, _)| *value).ok()?;
+        Some(&self.values[index].1)
+    }
+
+    /// Returns whether it is a life counter.
+    pub fn is_life(&self) -> bool {
+        self.life.is_some()
+    }
+
+    /// Returns the raw value that is sent before anything is known.
+    pub fn start_raw(&self) -> i128 {
+        self.start_raw
     }
 }
 
 /// `protocol_core::codec` walks single bits; this finds whole runs, because shifts and masks are made from them.
-fn segments(start: u8, length: u8, order: Order) -> Vec<Segment> {
+pub(crate) fn segments(start: u8, length: u8, order: Order) -> Vec<Segment> {
     let mut found = Vec::new();
     let mut left = length;
     match order {
@@ -121,614 +380,4 @@ fn segments(start: u8, length: u8, order: Order) -> Vec<Segment> {
         }
     }
     found
-}
-
-/// What Vector's editors write signals into that belong to no message; neither number is an identifier.
-const INDEPENDENT: [(&str, u64); 2] =
-    [("VECTOR__INDEPENDENT_SIG_MSG", 0xC000_0000), ("VECTOR__INDEPENDENT_SIG_MSG", 0x4000_0000)];
-
-/// Pairs each message of the text with its place, but for the container of signals without a message.
-pub(crate) fn placed<'d, 'p, 't>(
-    dbc: &'d Dbc,
-    places: &'p Places<'t>,
-) -> impl Iterator<Item = (&'d can_dbc::Message, &'p MessagePlace<'t>)> {
-    dbc.messages
-        .iter()
-        .zip(&places.messages)
-        .filter(|(_, place)| !INDEPENDENT.contains(&(place.name, place.id)))
-}
-
-/// Returns the four numbers `(factor,offset) [minimum|maximum]` of the text after the colon of a signal.
-fn numbers(text: &str) -> Option<[Ratio; 4]> {
-    let (_, after) = text.split_once('(')?;
-    let (scale, after) = after.split_once(')')?;
-    let (_, after) = after.split_once('[')?;
-    let (range, _) = after.split_once(']')?;
-    let (factor, offset) = scale.split_once(',')?;
-    let (minimum, maximum) = range.split_once('|')?;
-    let read = |text: &str| Ratio::parse(text.trim());
-    Some([read(factor)?, read(offset)?, read(minimum)?, read(maximum)?])
-}
-
-/// Reads an attribute as a whole number; an ENUM may be given by number or by one of `words`.
-fn whole(value: Option<&AttributeValue>, words: &[&str]) -> Result<Option<i64>, String> {
-    let bad = |shown: String| Err(format!("has the value {shown}, a whole number is needed"));
-    match value {
-        None => Ok(None),
-        Some(AttributeValue::Uint(number)) => match i64::try_from(*number) {
-            Ok(number) => Ok(Some(number)),
-            Err(_) => bad(number.to_string()),
-        },
-        Some(AttributeValue::Int(number)) => Ok(Some(*number)),
-        Some(AttributeValue::Double(number)) if number.fract() == 0.0 => Ok(Some(*number as i64)),
-        Some(AttributeValue::Double(number)) => bad(number.to_string()),
-        Some(AttributeValue::String(word)) => match words.iter().position(|known| known == word) {
-            Some(index) => Ok(Some(index as i64)),
-            None => bad(format!("\"{word}\"")),
-        },
-    }
-}
-
-/// What the numbers of `VFrameFormat` mean where the file does not define it: the table that Vector's editors write.
-const FRAME_FORMATS: [&str; 16] = [
-    "StandardCAN",
-    "ExtendedCAN",
-    "reserved",
-    "J1939PG",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "StandardCAN_FD",
-    "ExtendedCAN_FD",
-];
-
-const LIFE_WORDS: [&str; 4] = ["none", "counter_0_255", "counter_1_255", "nibble"];
-
-/// The attributes that are read here, and the value tables: given twice, only one of them can hold.
-const READ: [&str; 10] = [
-    "BusSpeed",
-    "FillByte",
-    "GenMsgCycleTime",
-    "GenMsgCycleTimeSlow",
-    "GenSigStartValue",
-    "LifeKind",
-    "Optional",
-    "SigInvalidRaw",
-    "VAL_",
-    "VFrameFormat",
-];
-
-/// Reads a DBC text.
-pub(crate) fn read(file: &str, text: &str) -> Result<Network, Diagnostics> {
-    let dbc = parse(file, text)?;
-    let mut report = Report::new(file, text);
-    let places = Places::find(without_mark(text));
-    if let Some(line) = first_unplaced(&dbc, &places) {
-        report.line(line, "this entry is not understood: write each entry on a line of its own");
-        return report.finish().or(()).map(|()| unreachable!("a report with errors is an error"));
-    }
-    let nodes: Vec<String> = dbc.nodes.iter().map(|node| node.0.clone()).collect();
-    let bitrate = dbc
-        .attribute_values_database
-        .iter()
-        .find(|attribute| attribute.name == "BusSpeed")
-        .map(|attribute| &attribute.value)
-        .or(dbc.attribute_default("BusSpeed"));
-    let bitrate = match whole(bitrate, &[]) {
-        Ok(Some(rate)) if (10_000..=1_000_000).contains(&rate) => rate as u32,
-        _ => {
-            let line = places.note_line("BusSpeed", 0, "", 1);
-            report.line(line, "BusSpeed must be set, 10000 to 1000000 bit/s");
-            0
-        }
-    };
-    for (name, line, first) in places.repeated.iter().filter(|(name, ..)| READ.contains(name)) {
-        let what = if *name == "VAL_" { "this value table" } else { name };
-        report.line(*line, format!("{what} is given before, in line {first}"));
-    }
-    report_sections(&places, &mut report);
-    report_names(&dbc, &places, &mut report);
-    let mut identifiers: BTreeMap<u64, usize> = BTreeMap::new();
-    let mut messages: Vec<Message> = Vec::new();
-    for (message, place) in placed(&dbc, &places) {
-        let line = place.line;
-        if let Some(first) = identifiers.insert(place.id, line) {
-            report.line(line, format!("identifier {} is used before, in line {first}", place.id));
-        }
-        if let Some(reason) = wrong_identifier(place.id) {
-            report.line(line, format!("identifier {} of `{}` {reason}", place.id, message.name));
-        }
-        if let Some(sender) = message.transmitter.as_ref().filter(|sender| !nodes.contains(sender)) {
-            let near = did_you_mean(sender, nodes.iter().map(String::as_str));
-            report.line(line, format!("sender `{sender}` is not in the list of nodes (BU_){near}"));
-        }
-        messages.push(read_message(&dbc, message, place, &places, &mut report));
-    }
-    for (line, signal) in places.tables_of_nothing() {
-        report.line(line, format!("value table of a signal that does not exist: `{signal}`"));
-    }
-    report.finish().or(Network { bitrate, nodes, messages })
-}
-
-/// Returns the first line at which the text's messages and signals are not those of the parser.
-fn first_unplaced(dbc: &Dbc, places: &Places<'_>) -> Option<usize> {
-    let last = places.messages.last().map_or(1, |place| place.line);
-    if dbc.messages.len() != places.messages.len() {
-        return Some(last);
-    }
-    let same = |(message, place): &(&can_dbc::Message, &MessagePlace<'_>)| {
-        let names = message.signals.iter().map(|signal| signal.name.as_str());
-        message.name == place.name && names.eq(place.signals.iter().map(|place| place.name))
-    };
-    dbc.messages.iter().zip(&places.messages).find(|pair| !same(pair)).map(|(_, place)| place.line)
-}
-
-/// Returns why a number cannot be an identifier, `None` if it can.
-fn wrong_identifier(written: u64) -> Option<String> {
-    const BIT_31: u64 = 1 << 31;
-    match written {
-        0..=0x7FF => None,
-        0x800..=0x1FFF_FFFF => {
-            let advice = format!("write {} if it has 29 (bit 31 set)", written + BIT_31);
-            Some(format!("(0x{written:X}) has more than 11 bits: {advice}"))
-        }
-        _ if (BIT_31..=BIT_31 + 0x1FFF_FFFF).contains(&written) => None,
-        _ => Some(format!("(0x{:X}) has more than 29 bits", written & (BIT_31 - 1))),
-    }
-}
-
-/// Reports what can be parsed, changes the meaning of signals, and is not carried out.
-fn report_sections(places: &Places<'_>, report: &mut Report<'_>) {
-    let signal = |message: u64, name: &str| {
-        let message = places.message(message)?;
-        Some((message, message.signals.iter().find(|signal| signal.name == name)?))
-    };
-    for kind in &places.kinds {
-        let bits = match kind.kind {
-            "0" => continue,
-            "1" => 32,
-            _ => 64,
-        };
-        let of = places.message(kind.message).map_or("no message", |message| message.name);
-        let text = format!(
-            "`{}` of {of} is an IEEE float of {bits} bits (SIG_VALTYPE_), which is not supported: take the signal out, \
-             or have it sent as a whole number with a factor",
-            kind.signal
-        );
-        report.line(kind.line, text);
-    }
-    for values in &places.mux_values {
-        let Some((message, place)) = signal(values.message, values.signal) else {
-            report.line(
-                values.line,
-                format!("SG_MUL_VAL_ of a signal that does not exist: `{}`", values.signal),
-            );
-            continue;
-        };
-        let is_plain = match values.ranges.as_slice() {
-            [(first, last)] => first == last && place.mux == format!("m{first}"),
-            _ => false,
-        };
-        let mut selectors = message.signals.iter().filter(|signal| signal.mux.ends_with('M'));
-        let is_only =
-            selectors.next().is_some_and(|signal| signal.name == values.selector && signal.mux == "M")
-                && selectors.next().is_none();
-        if !is_plain || !is_only {
-            let text = format!(
-                "SG_MUL_VAL_ lets `{}` of {} depend on more than one value of one multiplexer, which is not supported: \
-                 write one signal (m0, m1 ...) for each value",
-                values.signal, message.name
-            );
-            report.line(values.line, text);
-        }
-    }
-}
-
-/// Reports names that are not different in Rust.
-fn report_names(dbc: &Dbc, places: &Places<'_>, report: &mut Report<'_>) {
-    let rows: Vec<(Named<'_>, Vec<Named<'_>>)> = placed(dbc, places)
-        .map(|(_, place)| {
-            let signals = place.signals.iter().map(|place| Named { name: place.name, line: place.line });
-            (Named { name: place.name, line: place.line }, signals.collect())
-        })
-        .collect();
-    names::report_collisions(&rows, report);
-}
-
-/// Reports a frame that is not classic CAN, or is not matched by its whole identifier.
-fn report_format(
-    dbc: &Dbc,
-    message: &can_dbc::Message,
-    place: &MessagePlace<'_>,
-    places: &Places<'_>,
-    report: &mut Report<'_>,
-) {
-    let words = dbc.attribute_definitions.iter().find_map(|definition| match definition {
-        AttributeDefinition::Message(name, AttributeValueType::Enum(words)) if name == "VFrameFormat" => {
-            Some(words.as_slice())
-        }
-        _ => None,
-    });
-    let word = match dbc.resolved_message_attribute(message.id, "VFrameFormat") {
-        Some(AttributeValue::String(word)) => Some(word.as_str()),
-        value => whole(value, &[]).ok().flatten().and_then(|index| {
-            let index = usize::try_from(index).ok()?;
-            let defined = words.and_then(|words| words.get(index)).map(String::as_str);
-            defined.or_else(|| FRAME_FORMATS.get(index).copied())
-        }),
-    };
-    let line = places.note_line("VFrameFormat", place.id, "", place.line);
-    let name = place.name;
-    match word {
-        Some(word) if word.ends_with("_FD") => {
-            report.line(line, format!("message `{name}` is CAN FD ({word}); only classic CAN is received here"));
-        }
-        Some("J1939PG") => report.line(
-            line,
-            format!(
-                "message `{name}` is matched by its J1939 group (VFrameFormat J1939PG), which is not supported: all 29 \
-                 bits must match, so write the identifier as it is on the bus and ExtendedCAN"
-            ),
-        ),
-        _ => {}
-    }
-}
-
-fn read_message(
-    dbc: &Dbc,
-    message: &can_dbc::Message,
-    place: &MessagePlace<'_>,
-    places: &Places<'_>,
-    report: &mut Report<'_>,
-) -> Message {
-    let (id, line) = (place.id, place.line);
-    report_format(dbc, message, place, places, report);
-    let mut attribute = |name: &str, range: std::ops::RangeInclusive<i64>| {
-        let value = whole(dbc.resolved_message_attribute(message.id, name), &[]);
-        match value {
-            Ok(None) => 0,
-            Ok(Some(number)) if range.contains(&number) => number,
-            Ok(Some(number)) => {
-                let at = places.note_line(name, id, "", line);
-                report.line(at, format!("{name} is {number}, must be {} to {}", range.start(), range.end()));
-                0
-            }
-            Err(reason) => {
-                report.line(places.note_line(name, id, "", line), format!("{name} {reason}"));
-                0
-            }
-        }
-    };
-    let cycle_ms = attribute("GenMsgCycleTime", 0..=60_000) as u32;
-    let slow_cycle_ms = (attribute("GenMsgCycleTimeSlow", 0..=60_000) as u32).max(cycle_ms);
-    let optional = attribute("Optional", 0..=1) == 1;
-    let fill_byte = attribute("FillByte", 0..=255) as u8;
-    if message.size > 8 {
-        report
-            .line(line, format!("message `{}` has {} bytes; classic CAN has 8", message.name, message.size));
-    }
-    let len = message.size.min(8) as u8;
-    let mut signals = Vec::new();
-    let mut lines: BTreeMap<&str, usize> = BTreeMap::new();
-    for (signal, place) in message.signals.iter().zip(&place.signals) {
-        lines.insert(place.name, place.line);
-        signals.extend(read_signal(dbc, message, signal, (id, place), len, places, report));
-    }
-    let mut owners: BTreeMap<(u8, u8), Vec<&Signal>> = BTreeMap::new();
-    for signal in &signals {
-        let mut rivals = BTreeSet::new();
-        for segment in signal.segments() {
-            for bit in segment.low..segment.low + segment.bits {
-                let owner = owners.entry((segment.byte, bit)).or_default();
-                rivals.extend(
-                    owner.iter().filter(|other| clash(other.mux, signal.mux)).map(|other| &*other.name),
-                );
-                owner.push(signal);
-            }
-        }
-        for rival in rivals {
-            let at = lines.get(signal.name.as_str()).copied().unwrap_or(line);
-            report.line(at, format!("signal `{}` overlaps `{rival}`", signal.name));
-        }
-    }
-    let selectors = signals.iter().filter(|signal| signal.mux == Mux::Selector).count();
-    let multiplexed = signals.iter().any(|signal| matches!(signal.mux, Mux::When(_)));
-    if selectors > 1 || multiplexed && selectors == 0 {
-        report
-            .line(line, format!("message `{}` has {selectors} multiplexers, needs exactly 1", message.name));
-    }
-    if let Some(selector) = signals.iter().find(|signal| signal.mux == Mux::Selector) {
-        let (lowest, highest) = selector.span();
-        for signal in &signals {
-            let Mux::When(when) = signal.mux else { continue };
-            if !(lowest..=highest).contains(&i64::from(when)) {
-                let at = lines.get(signal.name.as_str()).copied().unwrap_or(line);
-                let bits = selector.length;
-                let text = format!(
-                    "`{}` is sent at {when}, which the {bits} bits of `{}` never hold",
-                    signal.name, selector.name
-                );
-                report.line(at, text);
-            }
-        }
-    }
-    if signals.iter().filter(|signal| signal.life.is_some()).count() > 1 {
-        report.line(line, format!("message `{}` has more than one life counter", message.name));
-    }
-    let mut fill = [0; 8];
-    for (byte, filled) in fill.iter_mut().enumerate().take(usize::from(len)) {
-        let used = owners.keys().any(|(owned, _)| usize::from(*owned) == byte);
-        *filled = if used { 0 } else { fill_byte };
-    }
-    Message {
-        id: message.id.raw(),
-        name: message.name.clone(),
-        sender: message.transmitter.clone().unwrap_or_default(),
-        len,
-        cycle_ms,
-        slow_cycle_ms,
-        optional,
-        fill,
-        signals,
-    }
-}
-
-/// Two signals may share bits only if they are never in the same frame.
-fn clash(a: Mux, b: Mux) -> bool {
-    !matches!((a, b), (Mux::When(a), Mux::When(b)) if a != b)
-}
-
-fn read_signal(
-    dbc: &Dbc,
-    message: &can_dbc::Message,
-    signal: &can_dbc::Signal,
-    (id, place): (u64, &SignalPlace<'_>),
-    len: u8,
-    places: &Places<'_>,
-    report: &mut Report<'_>,
-) -> Option<Signal> {
-    let name = signal.name.as_str();
-    let (line, text) = (place.line, place.numbers);
-    let Some([factor, offset, minimum, maximum]) = numbers(text) else {
-        report.line(line, format!("factor, offset and range of `{name}` are not four short decimal numbers"));
-        return None;
-    };
-    if !(1..=32).contains(&signal.size) || signal.start_bit > 63 {
-        report.line(
-            line,
-            format!(
-                "`{name}` must have 1 to 32 bits within 8 bytes, has {} at {}",
-                signal.size, signal.start_bit
-            ),
-        );
-        return None;
-    }
-    let (start, length) = (signal.start_bit as u8, signal.size as u8);
-    let order = match signal.byte_order {
-        ByteOrder::LittleEndian => Order::Intel,
-        ByteOrder::BigEndian => Order::Motorola,
-    };
-    let signed = signal.value_type == ValueType::Signed;
-    if segments(start, length, order).iter().any(|segment| segment.byte >= len) {
-        report.line(line, format!("`{name}` reaches beyond the {len} bytes of the message"));
-        return None;
-    }
-    if factor == Ratio::ZERO {
-        report.line(line, format!("factor of `{name}` is 0"));
-        return None;
-    }
-    let Some(scale) = Linear::new(factor, offset) else {
-        report.line(line, format!("factor and offset of `{name}` need more than 31 bits as a fraction"));
-        return None;
-    };
-    let (lowest, highest) = span(length, signed);
-    let mut range = (lowest, highest);
-    let raw = |limit: Ratio| limit.checked_sub(offset).and_then(|above| above.checked_div(factor));
-    if minimum != maximum || minimum != Ratio::ZERO {
-        let (Some(a), Some(b)) = (raw(minimum), raw(maximum)) else {
-            report.line(line, format!("the range of `{name}` has too many digits"));
-            return None;
-        };
-        let (low, high) = if factor.num > 0 { (a, b) } else { (b, a) };
-        let (low, high) = (low.ceil(), high.floor());
-        if low > high || low < i128::from(lowest) || high > i128::from(highest) {
-            report.line(
-                line,
-                format!(
-                    "range of `{name}` is raw {low} to {high}; its {length} bits hold {lowest} to {highest}"
-                ),
-            );
-            return None;
-        }
-        range = (low as i64, high as i64);
-    }
-    let mut attribute = |attribute: &str, words: &[&str]| {
-        let value = whole(dbc.resolved_signal_attribute(message.id, name, attribute), words);
-        value.unwrap_or_else(|reason| {
-            report.line(
-                places.note_line(attribute, id, name, line),
-                format!("{attribute} of `{name}` {reason}"),
-            );
-            None
-        })
-    };
-    let life = match attribute("LifeKind", &LIFE_WORDS) {
-        Some(1) => Some(LifeKind::From0To255),
-        Some(2) => Some(LifeKind::From1To255),
-        Some(3) => Some(LifeKind::Nibble),
-        _ => None,
-    };
-    let invalid_raw = attribute("SigInvalidRaw", &[]).filter(|raw| *raw != -1);
-    let start_raw = attribute("GenSigStartValue", &[]).unwrap_or(0);
-    for (what, raw) in [("SigInvalidRaw", invalid_raw), ("GenSigStartValue", Some(start_raw))] {
-        if raw.is_some_and(|raw| !(lowest..=highest).contains(&raw)) {
-            let at = places.note_line(what, id, name, line);
-            report.line(at, format!("{what} of `{name}` does not fit in its {length} bits"));
-        }
-    }
-    let bits = if life == Some(LifeKind::Nibble) { 4 } else { 8 };
-    if life.is_some() && (length != bits || segments(start, length, order).len() != 1) {
-        let at = places.note_line("LifeKind", id, name, line);
-        report.line(at, format!("life counter `{name}` must have {bits} bits within one byte"));
-    }
-    let mux = match signal.multiplexer_indicator {
-        // The parser takes an `m` without a number for no multiplexing at all.
-        MultiplexIndicator::Plain if place.mux.is_empty() => Mux::Always,
-        MultiplexIndicator::Plain => {
-            report.line(line, format!("`{name}` is multiplexed (`m`) but does not say at which value"));
-            Mux::Always
-        }
-        MultiplexIndicator::Multiplexor => Mux::Selector,
-        MultiplexIndicator::MultiplexedSignal(when) => Mux::When(u32::try_from(when).unwrap_or_else(|_| {
-            report.line(line, format!("`{name}` is sent at {when}, which has more than 32 bits"));
-            0
-        })),
-        MultiplexIndicator::MultiplexorAndMultiplexedSignal(_) => {
-            report.line(line, format!("`{name}`: a multiplexed multiplexer is not supported"));
-            Mux::Always
-        }
-    };
-    let mut values: Vec<(i64, String)> = dbc
-        .value_descriptions_for_signal(message.id, name)
-        .unwrap_or_default()
-        .iter()
-        .map(|value| (value.id, value.description.clone()))
-        .collect();
-    values.sort();
-    for (raw, word) in &values {
-        if !(lowest..=highest).contains(raw) {
-            let at = places.note_line("VAL_", id, name, line);
-            report.line(at, format!("value {raw} \"{word}\" does not fit in the {length} bits of `{name}`"));
-        }
-    }
-    for pair in values.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-        report.line(
-            places.note_line("VAL_", id, name, line),
-            format!("value {} of `{name}` is named twice", pair[0].0),
-        );
-    }
-    Some(Signal {
-        name: name.into(),
-        start,
-        length,
-        order,
-        signed,
-        factor,
-        offset,
-        scale,
-        unit: signal.unit.clone(),
-        range,
-        start_raw,
-        invalid_raw,
-        mux,
-        life,
-        values,
-    })
-}
-
-/// Returns the text behind its byte-order mark, if it has one.
-pub(crate) fn without_mark(text: &str) -> &str {
-    text.strip_prefix('\u{FEFF}').unwrap_or(text)
-}
-
-/// Parses the text; a syntax error carries its line.
-pub(crate) fn parse(file: &str, text: &str) -> Result<Dbc, Diagnostics> {
-    let text = without_mark(text);
-    let error = match Dbc::try_from(text) {
-        Ok(dbc) => return Ok(dbc),
-        Err(error) => error,
-    };
-    let shown = error.to_string();
-    if let DbcError::Pest(_) = error {
-        // The grammar's own report begins "--> line:column" and ends "= expected ...".
-        let line =
-            shown.split("--> ").nth(1).and_then(|at| at.split(':').next()?.trim().parse().ok()).unwrap_or(1);
-        let source = text.lines().nth(usize::max(line, 1) - 1).unwrap_or("").trim();
-        let message = if source.is_empty() || line > text.lines().count() {
-            "the file ends in the middle of an entry".to_string()
-        } else {
-            let expected = shown.rsplit("= ").next().unwrap_or("").replace('_', " ");
-            format!("not valid DBC: `{source}` ({expected})")
-        };
-        return Err(Diagnostics::one(file, line, message));
-    }
-    let entries = Places::find(text).entries;
-    let Some(entry) = failing_entry(text, &entries, |text| Dbc::try_from(text).is_err_and(is_number_error))
-    else {
-        return Err(Diagnostics::one(file, 1, format!("not valid DBC: {shown}")));
-    };
-    let (line, number) = match &error {
-        DbcError::InvalidInt(number) | DbcError::InvalidUint(number) => {
-            (entry.line_of(number), number.clone())
-        }
-        DbcError::MessageIdOutOfRange(id) => (entry.line_of(&id.to_string()), id.to_string()),
-        _ => {
-            return Err(Diagnostics::one(
-                file,
-                line_of(text, entry.start),
-                format!("not valid DBC: {shown}"),
-            ));
-        }
-    };
-    let line = line.unwrap_or(line_of(text, entry.start));
-    let reason = if number.starts_with('-') { "must not be negative" } else { "is too large for its place" };
-    Err(Diagnostics::one(file, line, format!("not valid DBC: the number {number} {reason}")))
-}
-
-/// The grammar holds, but a number does not fit: such errors carry no position.
-fn is_number_error(error: DbcError) -> bool {
-    !matches!(error, DbcError::Pest(_))
-}
-
-/// Returns the first entry with which the text fails; `fails` is asked once for each halving of the entries.
-fn failing_entry<'e, 't>(
-    text: &str,
-    entries: &'e [Entry<'t>],
-    mut fails: impl FnMut(&str) -> bool,
-) -> Option<&'e Entry<'t>> {
-    let end = |index: usize| entries.get(index + 1).map_or(text.len(), |next| next.start);
-    let (mut right, mut wrong) = (0, entries.len());
-    while right < wrong {
-        let middle = right.midpoint(wrong);
-        if fails(&text[..end(middle)]) { wrong = middle } else { right = middle + 1 }
-    }
-    entries.get(right)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_number_that_does_not_fit_is_found_without_parsing_the_file_for_every_line() {
-        let mut text = String::from("VERSION \"\"\n\nNS_ :\n\nBS_:\n\nBU_: A\n\n");
-        for id in 1..=400 {
-            text.push_str(&format!("BO_ {id} M{id}: 8 A\n SG_ s : 0|8@1+ (1,0) [0|255] \"\" A\n\n"));
-        }
-        for id in 1..=400 {
-            text.push_str(&format!("VAL_ {id} s 0 \"none\" 1 \"one\" ;\n"));
-        }
-        let wrong = "VAL_ 300 s 0 \"none\" 18446744073709551616 \"one\" ;";
-        text = text.replace("VAL_ 300 s 0 \"none\" 1 \"one\" ;", wrong);
-        let line =
-            text.lines().position(|line| line.contains("18446744073709551616")).expect("it is there") + 1;
-        let mut parses = 0;
-        let entries = Places::find(&text).entries;
-        let found = failing_entry(&text, &entries, |text| {
-            parses += 1;
-            Dbc::try_from(text).is_err_and(is_number_error)
-        });
-        assert_eq!(found.and_then(|entry| entry.line_of("18446744073709551616")), Some(line));
-        assert!(parses <= 12, "{parses} parses of {} entries", entries.len());
-        let said = parse("x.dbc", &text).expect_err("a number too large").to_string();
-        let number = "the number 18446744073709551616 is too large for its place";
-        assert_eq!(said, format!("x.dbc:{line}: not valid DBC: {number}"));
-    }
 }

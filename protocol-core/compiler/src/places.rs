@@ -3,14 +3,43 @@
 //! `can-dbc` says what a text means, but keeps neither lines nor exact numbers. This walks the tokens of a text that its
 //! grammar has accepted: several entries on one line and entries over several lines are found like all others.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Line and column of a word, both from 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct At {
+    pub(crate) line: usize,
+    pub(crate) column: usize,
+}
+
+/// A value as it is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Written<'a> {
+    /// Without its quotes.
+    Text(&'a str),
+    /// Sign, digits, point and exponent.
+    Number(&'a str),
+}
+
+/// An attribute of a message, a signal or the network.
+#[derive(Clone, Copy)]
+pub(crate) struct Note<'a> {
+    pub(crate) at: At,
+    pub(crate) value: Written<'a>,
+}
+
+/// A value table (`VAL_`): where, raw values and words in the order of the text.
+pub(crate) struct Words<'a> {
+    pub(crate) at: At,
+    pub(crate) rows: Vec<(&'a str, &'a str)>,
+}
 
 /// A message (`BO_`) with its signals, in the order of the text.
 pub(crate) struct MessagePlace<'a> {
     /// Identifier as written; bit 31 = 29 bits.
     pub(crate) id: u64,
     pub(crate) name: &'a str,
-    pub(crate) line: usize,
+    pub(crate) at: At,
     pub(crate) signals: Vec<SignalPlace<'a>>,
 }
 
@@ -19,7 +48,7 @@ pub(crate) struct SignalPlace<'a> {
     pub(crate) name: &'a str,
     /// `M`, `m3` and the like; empty if the signal is in every frame.
     pub(crate) mux: &'a str,
-    pub(crate) line: usize,
+    pub(crate) at: At,
     /// From the start bit up to the unit.
     pub(crate) numbers: &'a str,
 }
@@ -30,7 +59,7 @@ pub(crate) struct ValueKind<'a> {
     pub(crate) signal: &'a str,
     /// `0` = whole number, `1` = IEEE float of 32 bits, `2` = of 64.
     pub(crate) kind: &'a str,
-    pub(crate) line: usize,
+    pub(crate) at: At,
 }
 
 /// When a multiplexed signal is in the frame (`SG_MUL_VAL_`).
@@ -40,7 +69,7 @@ pub(crate) struct MuxValues<'a> {
     pub(crate) selector: &'a str,
     /// First and last raw value of the selector.
     pub(crate) ranges: Vec<(u64, u64)>,
-    pub(crate) line: usize,
+    pub(crate) at: At,
 }
 
 /// One entry; a text that ends before or behind it fits the grammar too.
@@ -65,11 +94,22 @@ pub(crate) struct Places<'a> {
     pub(crate) messages: Vec<MessagePlace<'a>>,
     pub(crate) kinds: Vec<ValueKind<'a>>,
     pub(crate) mux_values: Vec<MuxValues<'a>>,
-    /// Attributes and value tables (`VAL_`) that are given again: name, line, line of the first one.
-    pub(crate) repeated: Vec<(&'a str, usize, usize)>,
+    /// Attributes and value tables (`VAL_`) that are given again, by (attribute or `VAL_`, message, signal): the place, and
+    /// the line of the one before.
+    pub(crate) repeated: Vec<((&'a str, u64, &'a str), At, usize)>,
     pub(crate) entries: Vec<Entry<'a>>,
-    /// Lines of attributes and value tables by (attribute or `VAL_`, message, signal).
-    notes: BTreeMap<(&'a str, u64, &'a str), usize>,
+    /// Byte and digits of each identifier, wherever one is named.
+    pub(crate) identifiers: Vec<(usize, &'a str)>,
+    /// Byte behind the last node of the list (`BU_`).
+    pub(crate) nodes_end: Option<usize>,
+    /// Attributes by (name, message, signal).
+    notes: BTreeMap<(&'a str, u64, &'a str), Note<'a>>,
+    /// Value tables by (message, signal).
+    words: BTreeMap<(u64, &'a str), Words<'a>>,
+    /// Comments by (message, signal); a message's own stands under `""`.
+    comments: BTreeMap<(u64, &'a str), &'a str>,
+    /// Indices of the messages by their identifiers.
+    by_id: BTreeMap<u64, usize>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -85,6 +125,7 @@ struct Token<'a> {
     /// Without the quotes of a text.
     text: &'a str,
     start: usize,
+    at: At,
     line: usize,
     /// The first of its line, at the very left.
     leads: bool,
@@ -94,10 +135,16 @@ struct Token<'a> {
 fn tokens(text: &str) -> Vec<Token<'_>> {
     let bytes = text.as_bytes();
     let (mut tokens, mut at, mut line) = (Vec::new(), 0, 1);
+    let (mut seen, mut line_start) = (0, 0);
     while let Some(&byte) = bytes.get(at) {
         let start = at;
         let leads = start == 0 || bytes[start - 1] == b'\n' || bytes[start - 1] == b'\r';
         let first_line = line;
+        if let Some(newline) = bytes[seen..start].iter().rposition(|&byte| byte == b'\n') {
+            line_start = seen + newline + 1;
+        }
+        seen = start;
+        let column = start - line_start + 1;
         let (kind, inner) = match byte {
             b'"' => {
                 at += 1;
@@ -133,7 +180,8 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
                 (Kind::Mark, &text[start..at])
             }
         };
-        tokens.push(Token { kind, text: inner, start, line: first_line, leads });
+        let place = At { line: first_line, column };
+        tokens.push(Token { kind, text: inner, start, at: place, line: first_line, leads });
     }
     tokens
 }
@@ -169,6 +217,21 @@ impl<'a> Walk<'a> {
         self.peek(ahead).is_some_and(|token| token.kind == Kind::Word && digits(token))
     }
 
+    /// Takes a number with its sign, point and exponent and returns it as it is written.
+    fn number(&mut self) -> &'a str {
+        let start = self.peek(0).map_or(self.text.len(), |token| token.start);
+        let mut end = start;
+        while let Some(token) = self.peek(0) {
+            let is_part = token.kind == Kind::Word || ["-", "+", "."].contains(&token.text);
+            if token.kind == Kind::Text || !is_part || end != start && token.start != end {
+                break;
+            }
+            end = token.start + token.text.len();
+            self.at += 1;
+        }
+        self.text.get(start..end).unwrap_or("")
+    }
+
     /// Passes everything up to the token and the token itself.
     fn pass(&mut self, is_last: impl Fn(Token<'a>) -> bool) {
         while let Some(token) = self.peek(0) {
@@ -197,16 +260,28 @@ impl<'a> Places<'a> {
             let words = words.filter(|token| token.kind == Kind::Word).map(|token| (token.line, token.text));
             places.entries.push(Entry { start: token.start, words: words.collect() });
         }
+        let named = ["BO_", "SG_", "VAL_", "SIG_VALTYPE_", "SG_MUL_VAL_", "BO_TX_BU_", "SIG_GROUP_"];
+        for pair in walk.tokens.windows(2).filter(|pair| pair[0].kind == Kind::Word) {
+            if named.contains(&pair[0].text) && pair[1].kind == Kind::Word {
+                places.identifiers.push((pair[1].start, pair[1].text));
+            }
+        }
+        for (index, message) in places.messages.iter().enumerate() {
+            places.by_id.entry(message.id).or_insert(index);
+        }
         places
     }
 
     /// Reads one entry; `walk` stands behind its first word.
     fn entry(&mut self, token: Token<'a>, walk: &mut Walk<'a>) {
-        let line = token.line;
+        let (at, line) = (token.at, token.line);
         match token.text {
             // Names of sections and nodes; lines that are indented belong to them.
             "NS_" | "BU_" => {
-                while walk.peek(0).is_some_and(|next| next.line == line || !next.leads) {
+                while let Some(next) = walk.peek(0).filter(|next| next.line == line || !next.leads) {
+                    if token.text == "BU_" {
+                        self.nodes_end = Some(next.start + next.text.len());
+                    }
                     walk.at += 1;
                 }
             }
@@ -220,7 +295,7 @@ impl<'a> Places<'a> {
                 let (id, name) = (number(walk.take()), walk.take());
                 // `: length sender`
                 walk.at += 3;
-                self.messages.push(MessagePlace { id, name, line, signals: Vec::new() });
+                self.messages.push(MessagePlace { id, name, at, signals: Vec::new() });
             }
             "SG_" => {
                 let name = walk.take();
@@ -237,10 +312,18 @@ impl<'a> Places<'a> {
                     walk.at += 2;
                 }
                 if let Some(message) = self.messages.last_mut() {
-                    message.signals.push(SignalPlace { name, mux, line, numbers });
+                    message.signals.push(SignalPlace { name, mux, at, numbers });
                 }
             }
             "CM_" => {
+                let of = walk.peek(0).filter(|token| token.kind == Kind::Word).map_or("", |token| token.text);
+                if let "BO_" | "SG_" = of {
+                    walk.at += 1;
+                    let id = number(walk.take());
+                    let signal = if of == "SG_" { walk.take() } else { "" };
+                    let comment = walk.peek(0).map_or("", |token| token.text);
+                    self.comments.entry((id, signal)).or_insert(comment);
+                }
                 walk.pass(|token| token.kind == Kind::Text);
                 self.pass_optional_semicolon(walk);
             }
@@ -249,11 +332,14 @@ impl<'a> Places<'a> {
                 let has_id = walk.is_number(0);
                 let id = if has_id { number(walk.take()) } else { 0 };
                 let signal = walk.take();
-                if has_id {
-                    self.note("VAL_", id, signal, line);
-                }
+                let mut rows = Vec::new();
                 while walk.is_number(0) || walk.is(0, Kind::Mark) && walk.is_number(1) {
+                    let raw = walk.number();
+                    rows.push((raw, walk.peek(0).map_or("", |token| token.text)));
                     walk.pass(|token| token.kind == Kind::Text);
+                }
+                if has_id && let Some(first) = self.words.insert((id, signal), Words { at, rows }) {
+                    self.repeated.push((("VAL_", id, signal), at, first.at.line));
                 }
                 self.pass_optional_semicolon(walk);
             }
@@ -265,18 +351,18 @@ impl<'a> Places<'a> {
                         walk.at += 1;
                         let id = number(walk.take());
                         let signal = if of == "SG_" { walk.take() } else { "" };
-                        self.note(name, id, signal, line);
+                        self.note(name, id, signal, at, walk);
                     }
                     // Attributes of nodes and environment variables say nothing of the wire.
                     "BU_" | "EV_" => {}
-                    _ => self.note(name, 0, "", line),
+                    _ => self.note(name, u64::MAX, "", at, walk),
                 }
                 walk.pass_semicolon();
             }
             "SIG_VALTYPE_" => {
                 let (message, signal) = (number(walk.take()), walk.take());
                 walk.at += 1;
-                self.kinds.push(ValueKind { message, signal, kind: walk.take(), line });
+                self.kinds.push(ValueKind { message, signal, kind: walk.take(), at });
                 walk.pass_semicolon();
             }
             "SG_MUL_VAL_" => {
@@ -290,7 +376,7 @@ impl<'a> Places<'a> {
                         break;
                     }
                 }
-                self.mux_values.push(MuxValues { message, signal, selector, ranges, line });
+                self.mux_values.push(MuxValues { message, signal, selector, ranges, at });
             }
             _ => walk.pass_semicolon(),
         }
@@ -302,31 +388,51 @@ impl<'a> Places<'a> {
         }
     }
 
-    fn note(&mut self, name: &'a str, message: u64, signal: &'a str, line: usize) {
-        if let Some(first) = self.notes.insert((name, message, signal), line) {
-            self.repeated.push((name, line, first));
+    /// Notes an attribute whose value comes next.
+    fn note(&mut self, name: &'a str, message: u64, signal: &'a str, at: At, walk: &mut Walk<'a>) {
+        let value = match walk.peek(0) {
+            Some(token) if token.kind == Kind::Text => Written::Text(token.text),
+            _ => Written::Number(walk.number()),
+        };
+        if let Some(first) = self.notes.insert((name, message, signal), Note { at, value }) {
+            self.repeated.push(((name, message, signal), at, first.at.line));
         }
     }
 
-    /// Returns the line of an attribute or a value table, `fallback` if it is not written.
-    pub(crate) fn note_line(&self, name: &str, message: u64, signal: &str, fallback: usize) -> usize {
-        self.notes.get(&(name, message, signal)).copied().unwrap_or(fallback)
+    /// Returns an attribute of a message, or of a signal if one is named.
+    pub(crate) fn attribute(&self, name: &str, message: u64, signal: &str) -> Option<Note<'a>> {
+        self.notes.get(&(name, message, signal)).copied()
     }
 
-    /// Returns line and signal of each value table (`VAL_`) whose signal is not in the text.
-    pub(crate) fn tables_of_nothing(&self) -> impl Iterator<Item = (usize, &'a str)> {
-        let is_there = |id: u64, name: &str| {
-            self.message(id).is_some_and(|message| message.signals.iter().any(|signal| signal.name == name))
+    /// Returns an attribute of the whole network.
+    pub(crate) fn network_attribute(&self, name: &str) -> Option<Note<'a>> {
+        self.attribute(name, u64::MAX, "")
+    }
+
+    /// Returns the value table of a signal.
+    pub(crate) fn words<'s>(&'s self, message: u64, signal: &'s str) -> Option<&'s Words<'a>> {
+        self.words.get(&(message, signal))
+    }
+
+    /// Returns the comment of a message, or of a signal if one is named.
+    pub(crate) fn comment(&self, message: u64, signal: &str) -> Option<&'a str> {
+        self.comments.get(&(message, signal)).copied()
+    }
+
+    /// Returns place and signal of each value table (`VAL_`) whose signal is not in the text.
+    pub(crate) fn tables_of_nothing(&self) -> Vec<(At, &'a str)> {
+        let signals = |message: &MessagePlace<'a>| {
+            let id = message.id;
+            message.signals.iter().map(move |signal| (id, signal.name)).collect::<Vec<_>>()
         };
-        let tables = self.notes.iter().filter(|((name, ..), _)| *name == "VAL_");
-        tables
-            .filter(move |((_, id, signal), _)| !is_there(*id, signal))
-            .map(|((_, _, signal), line)| (*line, *signal))
+        let there: BTreeSet<(u64, &str)> = self.messages.iter().flat_map(signals).collect();
+        let lost = self.words.iter().filter(|(key, _)| !there.contains(*key));
+        lost.map(|((_, signal), words)| (words.at, *signal)).collect()
     }
 
-    /// Returns a message by its identifier as written.
+    /// Returns the first message with this identifier as written.
     pub(crate) fn message(&self, id: u64) -> Option<&MessagePlace<'a>> {
-        self.messages.iter().find(|message| message.id == id)
+        self.by_id.get(&id).map(|index| &self.messages[*index])
     }
 }
 
@@ -343,17 +449,21 @@ mod tests {
             SG_MUL_VAL_ 1 x y 0-0 , 3 - 5; SIG_VALTYPE_ 1 x : 1;\n";
         let places = Places::find(text);
         let shown: Vec<(u64, &str, usize)> =
-            places.messages.iter().map(|message| (message.id, message.name, message.line)).collect();
+            places.messages.iter().map(|message| (message.id, message.name, message.at.line)).collect();
         assert_eq!(shown, [(1, "One", 8), (2, "Two", 12)]);
         let signal = &places.messages[0].signals[0];
-        assert_eq!((signal.name, signal.mux, signal.line), ("x", "m3", 9));
+        assert_eq!((signal.name, signal.mux, signal.at), ("x", "m3", At { line: 9, column: 2 }));
         assert_eq!(signal.numbers, "7|8@0- (-0.5, 1e-3) [ -1 | 2 ] ");
         assert_eq!(places.messages[0].signals.len(), 2);
-        assert_eq!((places.note_line("VAL_", 1, "x", 0), places.note_line("A", 1, "x", 0)), (13, 14));
-        assert_eq!(places.repeated, [("A", 14, 14)]);
+        let words = places.words(1, "x").expect("the table");
+        assert_eq!((words.at.line, words.rows.as_slice()), (13, [("-1", "minus"), ("0", "null")].as_slice()));
+        assert_eq!(places.repeated, [(("A", 1, "x"), At { line: 14, column: 20 }, 14)]);
+        let note = places.attribute("A", 1, "x").expect("the attribute");
+        assert_eq!((note.at.column, note.value), (20, Written::Number("6")));
+        assert_eq!(places.comment(1, "x"), Some("two\nlines; SG_ z : 1"));
         assert_eq!(places.mux_values[0].ranges, [(0, 0), (3, 5)]);
         assert_eq!(
-            (places.mux_values[0].selector, places.kinds[0].kind, places.kinds[0].line),
+            (places.mux_values[0].selector, places.kinds[0].kind, places.kinds[0].at.line),
             ("y", "1", 15)
         );
     }

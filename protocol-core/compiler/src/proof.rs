@@ -111,7 +111,7 @@ fn place(line: &str, files: &[(PathBuf, String)]) -> Option<Diagnostic> {
         "would not be valid Rust, so nothing was written; this is a fault of the vehicle compiler, please report it: \
          error{message}, in `{source}`"
     );
-    Some(Diagnostic { file: path.to_string_lossy().into_owned(), line: number, message })
+    Some(Diagnostic::new(&path.to_string_lossy(), number, message))
 }
 
 fn run(command: &mut Command) -> Result<Output, Diagnostics> {

@@ -3,12 +3,10 @@
 use crate::binding::{BOUND, Binding, How, HowBack, Rx, RxValue, States, StreamRow, Term, Tx, TxSignal};
 use crate::codec_text::{counts, id_text, validity, width};
 use crate::meaning::variant;
-use crate::names::{function_name, type_name};
-use crate::network::{Message, Network, Signal};
+use crate::network::{Condition, Message, Network, Signal};
 use crate::one_line;
 use crate::ratio::Linear;
 use protocol_core::checksum::Checksum;
-use protocol_core::codec::Mux;
 use protocol_core::model::{Severity, Unit};
 use protocol_core::vehicle::{Node, Rules};
 use std::collections::{BTreeMap, BTreeSet};
@@ -64,7 +62,8 @@ fn write_streams(out: &mut String, network: &Network, binding: &Binding) {
 /// Writes the identifiers of all messages that the cluster does not send itself.
 fn write_ids(out: &mut String, network: &Network, binding: &Binding) {
     let own = binding.nodes.iter().find(|row| row.node == Node::Cluster).map(|row| row.dbc.as_str());
-    let others = network.messages.iter().filter(|message| Some(message.sender.as_str()) != own);
+    let sure = network.messages.iter().filter(|message| message.doubt.is_none());
+    let others = sure.filter(|message| Some(message.sender.as_str()) != own);
     let mut ids: Vec<u32> = others.map(|message| message.id).collect();
     ids.sort_unstable();
     let _ = writeln!(out, "\nstatic IDS: &[CanId] = &[");
@@ -82,7 +81,7 @@ fn write_rows(out: &mut String, network: &Network, binding: &Binding) {
         let _ = write!(
             out,
             "node: Node::{:?}, len: {}, cycle_ms: {}, timeout_ms: {}, ",
-            rx.node, rx.len, message.cycle_ms, rx.timeout_ms
+            rx.node, rx.len, rx.cycle_ms, rx.timeout_ms
         );
         let (life, checksum) = (life_text(message), checksum_text(rx.checksum));
         let _ = writeln!(
@@ -137,9 +136,10 @@ fn divided(numerator: &str, den: i64, nearest: bool) -> String {
 /// Whether every step of the scale fits in 32 bits for every raw value, valid or not.
 fn fits(linear: Linear, signal: &Signal, nearest: bool) -> bool {
     let spare = if nearest { linear.den / 2 } else { 0 };
-    let step = |raw: i64| {
-        let product = raw * linear.mul;
-        let all = [product, product + linear.add, product + linear.add + spare];
+    let step = |raw: i128| {
+        let product = raw * i128::from(linear.mul);
+        let sum = product + i128::from(linear.add);
+        let all = [product, sum, sum + i128::from(spare)];
         all.iter().all(|number| i32::try_from(*number).is_ok())
     };
     step(signal.span().0) && step(signal.span().1)
@@ -155,6 +155,7 @@ impl Tables {
         let text = |state: Option<i32>| state.map_or("INVALID".to_string(), |state| state.to_string());
         let (lowest, highest) = signal.span();
         if lowest == 0 && highest <= 15 {
+            let highest = highest as i64;
             let cells = (0..=highest).map(|raw| text(states.get(&raw).copied().unwrap_or(other)));
             let table = format!("[i32; {}] = [{}]", highest + 1, cells.collect::<Vec<_>>().join(", "));
             let next = self.0.len();
@@ -196,8 +197,16 @@ fn plain_bit(term: &Term, message: &Message) -> Option<(u8, u8)> {
 /// Returns bits of several signals as one number: neighbours move together.
 fn gathered(value: &RxValue, message: &Message, filler: &[u8]) -> String {
     let mut runs: BTreeMap<(u8, i16), u8> = BTreeMap::new();
+    let mut parts = Vec::new();
     for (index, term) in value.terms.iter().enumerate() {
-        let segment = message.signals[term.signal].segments()[0];
+        let signal = &message.signals[term.signal];
+        if let How::Mapped { states, other: Some(0) } = &term.how {
+            let raws: Vec<String> = states.keys().map(i64::to_string).collect();
+            let is_set = format!("matches!(frame.{}_raw(), {})", signal.function, raws.join(" | "));
+            parts.push(format!("({is_set} as i32) << {index}"));
+            continue;
+        }
+        let segment = signal.segments()[0];
         *runs.entry((segment.byte, index as i16 - i16::from(segment.low))).or_default() |= 1 << segment.low;
     }
     let run = |((byte, shift), mask): (&(u8, i16), &u8)| {
@@ -215,11 +224,12 @@ fn gathered(value: &RxValue, message: &Message, filler: &[u8]) -> String {
             ..0 => format!("({part}) >> {}", -shift),
         }
     };
-    runs.iter().map(run).collect::<Vec<_>>().join(" | ")
+    parts.extend(runs.iter().map(run));
+    parts.join(" | ")
 }
 
 /// Returns the bytes that hold bit fields of `terms`: whatever is filler in them is no bit.
-fn field_bytes(terms: &[Term], message: &Message) -> BTreeSet<u8> {
+pub(crate) fn field_bytes(terms: &[Term], message: &Message) -> BTreeSet<u8> {
     let is_field =
         |term: &&Term| message.signals[term.signal].length < 8 || matches!(term.how, How::Mapped { .. });
     let fields = terms.iter().filter(is_field);
@@ -273,7 +283,7 @@ fn write_value(out: &mut String, tables: &mut Tables, message: &Message, value: 
 fn write_worst(out: &mut String, tables: &mut Tables, message: &Message, value: &RxValue, filler: &[u8]) {
     for (index, term) in value.terms.iter().enumerate() {
         let signal = &message.signals[term.signal];
-        let raw = format!("frame.{}_raw()", function_name(&signal.name));
+        let raw = format!("frame.{}_raw()", signal.function);
         let How::Mapped { states, other } = &term.how else { continue };
         let state = tables.state(states, *other, signal, &raw);
         let bytes = field_bytes(std::slice::from_ref(term), message);
@@ -297,11 +307,27 @@ fn write_plain(out: &mut String, tables: &mut Tables, message: &Message, value: 
     }
     if let [term] = value.terms.as_slice() {
         let signal = &message.signals[term.signal];
-        let raw = format!("frame.{}_raw()", function_name(&signal.name));
+        let raw = format!("frame.{}_raw()", signal.function);
         match &term.how {
-            How::Scaled { linear, nearest, magnitude } => {
+            How::Float { linear: Linear { mul, add, den }, nearest, magnitude } => {
                 let valid = validity(signal, "raw");
-                let is_whole = signal.length.is_multiple_of(8) && !signal.signed;
+                let valid = if valid.is_empty() { String::new() } else { format!(" && {valid}") };
+                let add = if *nearest { add + den / 2 } else { *add };
+                let (bits, number) = (width(signal), if *magnitude { "number.abs()" } else { "number" });
+                let _ = writeln!(out, "    let raw = {raw};");
+                let _ =
+                    writeln!(out, "    let number = codec::float{bits}_counts(raw, {mul}, {add}, {den});");
+                let _ = writeln!(out, "    let valid = number != INVALID{valid};");
+                let _ =
+                    writeln!(out, "    readings.put({target}, if valid {{ {number} }} else {{ 0 }}, valid);");
+            }
+            How::Scaled { linear, nearest, magnitude, off } => {
+                if *off > 0.0 {
+                    let _ =
+                        writeln!(out, "    // The factor as a short fraction: at most {off:.1e} counts off.");
+                }
+                let valid = validity(signal, "raw");
+                let is_whole = signal.length.is_multiple_of(8) && !signal.signed();
                 let valid = match valid.is_empty() {
                     false => valid,
                     true if filled && is_whole => format!("raw != {}", signal.span().1),
@@ -310,7 +336,13 @@ fn write_plain(out: &mut String, tables: &mut Tables, message: &Message, value: 
                 let number = if fits(*linear, signal, *nearest) {
                     divided(&counts("raw", "i32", linear.mul, linear.add), linear.den, *nearest)
                 } else {
-                    let wide = counts("raw", "i64", linear.mul, linear.add);
+                    // An invalid raw value of more than 32 bits may overflow; what comes of it is not used.
+                    let wide = match signal.length {
+                        0..=32 => counts("raw", "i64", linear.mul, linear.add),
+                        _ => {
+                            format!("(raw as i64).wrapping_mul({}).wrapping_add({})", linear.mul, linear.add)
+                        }
+                    };
                     let spare = if *nearest { format!(" + {}", linear.den / 2) } else { String::new() };
                     format!("({wide}{spare}).div_euclid({}) as i32", linear.den)
                 };
@@ -320,7 +352,7 @@ fn write_plain(out: &mut String, tables: &mut Tables, message: &Message, value: 
             }
             How::Mapped { states, other } => match identity(states, *other) {
                 Some(last) => {
-                    let valid = match last == signal.span().1 {
+                    let valid = match i128::from(last) == signal.span().1 {
                         true => "true".into(),
                         false => format!("raw <= {last}"),
                     };
@@ -360,22 +392,37 @@ fn write_plain(out: &mut String, tables: &mut Tables, message: &Message, value: 
 
 /// Writes the values that are always in the frame, then those of each multiplex value.
 fn write_values(out: &mut String, tables: &mut Tables, message: &Message, values: &[RxValue], filler: &[u8]) {
-    let mut pages: BTreeMap<Option<u32>, Vec<&RxValue>> = BTreeMap::new();
+    let mut pages: BTreeMap<&[Condition], Vec<&RxValue>> = BTreeMap::new();
     for value in values {
-        let page = if let Mux::When(raw) = value.mux(message) { Some(raw) } else { None };
-        pages.entry(page).or_default().push(value);
+        pages.entry(value.when(message)).or_default().push(value);
     }
-    let selector = message.signals.iter().find(|signal| signal.mux == Mux::Selector);
-    for (page, values) in pages {
-        let inside = page.zip(selector);
-        if let Some((raw, selector)) = inside {
-            let _ = writeln!(out, "    if frame.{}_raw() == {raw} {{", function_name(&selector.name));
+    for (when, values) in pages {
+        let terms: Vec<String> = when.iter().map(|condition| condition_text(message, condition)).collect();
+        if !terms.is_empty() {
+            let _ = writeln!(out, "    if {} {{", terms.join(" && "));
         }
         for value in values {
             write_value(out, tables, message, value, filler);
         }
-        if inside.is_some() {
+        if !terms.is_empty() {
             out.push_str("    }\n");
+        }
+    }
+}
+
+/// Returns whether a multiplexer is at one of the values as Rust text.
+fn condition_text(message: &Message, condition: &Condition) -> String {
+    let raw = format!("frame.{}_raw()", message.signals[condition.selector].function);
+    // What the multiplexer never holds cannot stand in a pattern of its type.
+    let (lowest, highest) = message.signals[condition.selector].span();
+    let held = condition.ranges.iter().filter(|(first, last)| *last >= lowest && *first <= highest);
+    let held: Vec<(i128, i128)> =
+        held.map(|(first, last)| (*first.max(&lowest), *last.min(&highest))).collect();
+    match held.as_slice() {
+        [(first, last)] if first == last => format!("{raw} == {first}"),
+        ranges => {
+            let arms: Vec<String> = ranges.iter().map(|(first, last)| format!("{first}..={last}")).collect();
+            format!("matches!({raw}, {})", arms.join(" | "))
         }
     }
 }
@@ -391,14 +438,14 @@ fn write_decoder(out: &mut String, network: &Network, rx: &[Rx], filler: &[u8]) 
     let mut tables = Tables::default();
     for row in rx {
         let message = &network.messages[row.message];
-        let name = function_name(&message.name);
+        let name = &message.function;
         let unused = if row.values.is_empty() { "_" } else { "" };
         let _ = writeln!(
             out,
             "\nfn decode_{name}({unused}source: u8, {unused}data: &[u8; 8], {unused}readings: &mut Readings) {{"
         );
         if !row.values.is_empty() {
-            let _ = writeln!(out, "    let frame = {}(*data);", type_name(&message.name));
+            let _ = writeln!(out, "    let frame = {}(*data);", message.type_name);
         }
         write_values(out, &mut tables, message, &row.values, filler);
         out.push_str("}\n");
@@ -406,7 +453,7 @@ fn write_decoder(out: &mut String, network: &Network, rx: &[Rx], filler: &[u8]) 
     tables.write(out);
     let _ = writeln!(out, "\nstatic DECODERS: [fn(u8, &[u8; 8], &mut Readings); {}] = [", rx.len());
     for row in rx {
-        let _ = writeln!(out, "    decode_{},", function_name(&network.messages[row.message].name));
+        let _ = writeln!(out, "    decode_{},", &network.messages[row.message].function);
     }
     out.push_str("];\n\nfn decode(index: u8, data: &[u8; 8], readings: &mut Readings) {\n");
     out.push_str("    if let Some(decode) = DECODERS.get(index as usize) {\n");
@@ -416,9 +463,8 @@ fn write_decoder(out: &mut String, network: &Network, rx: &[Rx], filler: &[u8]) 
 fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
     for row in tx {
         let message = &network.messages[row.message];
-        let _ =
-            writeln!(out, "\nfn encode_{}(values: &Readings) -> [u8; 8] {{", function_name(&message.name));
-        let _ = writeln!(out, "    let frame = {}::new();", type_name(&message.name));
+        let _ = writeln!(out, "\nfn encode_{}(values: &Readings) -> [u8; 8] {{", message.function);
+        let _ = writeln!(out, "    let frame = {}::new();", message.type_name);
         for (index, signal) in message.signals.iter().enumerate() {
             if signal.life.is_some() {
                 continue;
@@ -429,7 +475,7 @@ fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
                 None if signal.start_raw == 0 => continue,
                 None => signal.start_raw.to_string(),
             };
-            let _ = writeln!(out, "    let frame = frame.with_{}_raw({raw});", function_name(&signal.name));
+            let _ = writeln!(out, "    let frame = frame.with_{}_raw({raw});", signal.function);
         }
         out.push_str("    frame.0\n}\n");
     }
@@ -439,7 +485,7 @@ fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
     }
     let _ = writeln!(out, "\nfn encode(index: u8, values: &Readings) -> [u8; 8] {{\n    match index {{");
     for (index, row) in tx.iter().enumerate() {
-        let name = function_name(&network.messages[row.message].name);
+        let name = &network.messages[row.message].function;
         let _ = writeln!(out, "        {index} => encode_{name}(values),");
     }
     out.push_str("        _ => [0; 8],\n    }\n}\n");
@@ -447,9 +493,10 @@ fn write_encoder(out: &mut String, network: &Network, tx: &[Tx]) {
 
 /// Returns the raw value that a model value is sent as.
 fn raw_text(bound: &TxSignal, signal: &Signal) -> String {
-    let kind = format!("{}{}", if signal.signed { 'i' } else { 'u' }, width(signal));
+    let kind = format!("{}{}", if signal.signed() { 'i' } else { 'u' }, width(signal));
     let known = format!("codec::known(values, Value::{})", variant(bound.value));
-    let (low, high) = signal.range;
+    let short = |raw: i128| raw.clamp(i64::MIN.into(), i64::MAX.into()) as i64;
+    let (low, high) = (short(signal.range.0), short(signal.range.1));
     let scaled = |linear: Linear, low: i64, high: i64, nearest: bool| {
         let Linear { mul, add, den } = linear;
         let add = if nearest { add + den / 2 } else { add };
@@ -490,7 +537,7 @@ pub(crate) fn write(out: &mut String, name: &str, network: &Network, binding: &B
     let _ = writeln!(out, "\n/// {} ({}).", one_line(&binding.en), one_line(&binding.zh));
     let _ = writeln!(out, "pub static VEHICLE: Vehicle = Vehicle {{");
     let _ = writeln!(out, "    name: {name:?},\n    zh: {:?},\n    en: {:?},", binding.zh, binding.en);
-    let _ = writeln!(out, "    bitrate: {},\n    worst_level: {},", network.bitrate, binding.worst_level);
+    let _ = writeln!(out, "    bitrate: {},\n    worst_level: {},", binding.bitrate, binding.worst_level);
     let rules = match binding.rules {
         Rules::NONE => "Rules::NONE".into(),
         rules => format!("{rules:?}"),

@@ -31,3 +31,8 @@ fn the_hostile_vehicle_is_generated_as_committed_and_has_no_findings() {
     let dbc = fs::read_to_string(folder.join("hostile.dbc")).expect("the file is there");
     assert_eq!(vehicle_compiler::lint::lint("hostile.dbc", &dbc).to_string(), "");
 }
+
+#[test]
+fn the_wide_vehicle_is_generated_as_committed() {
+    is_generated_as_committed("wide", "wide");
+}

@@ -61,9 +61,9 @@ fn add(tree: &Path, name: &str, from: &str, to: &str) -> PathBuf {
 fn a_wrong_vehicle_changes_no_file_and_the_next_run_works() {
     let tree = copy();
     let before = generated(tree.path());
-    let folder = add(tree.path(), "wrong", "SG_ as ", "SG_ IN ");
-    let said = write(tree.path()).expect_err("two names in one").to_string();
-    assert!(said.contains("signal `IN` and `in` in line") && said.contains("rename one of them"), "{said}");
+    let folder = add(tree.path(), "wrong", "SG_ as ", "SG_ in ");
+    let said = write(tree.path()).expect_err("one name for two").to_string();
+    assert!(said.contains("signal `in` is used before, in line"), "{said}");
     assert_eq!(generated(tree.path()), before);
     fs::remove_dir_all(folder).expect("can be removed");
     assert_eq!(write(tree.path()), Ok(Vec::new()));
