@@ -41,10 +41,13 @@ pub(crate) fn deliver(world: &mut World, vehicle: &Definition, frame: &CanFrame)
         if world.links.cut[place] || !world.links.inboxes[place].hear(frame) {
             continue;
         }
-        if node == Node::Vcu && vehicle.hears.cluster.0.contains(&frame.id) {
+        let cluster = &vehicle.hears.cluster;
+        if node == Node::Vcu && cluster.messages.contains(&frame.id) {
             world.meter.frames += 1;
-            world.meter.silent_ms = 0;
-            (vehicle.hears.cluster.1)(&world.links.inboxes[place], &mut world.meter);
+            if cluster.proof.contains(&frame.id) {
+                world.meter.silent_ms = 0;
+            }
+            (cluster.take)(&world.links.inboxes[place], &mut world.meter);
         }
     }
 }

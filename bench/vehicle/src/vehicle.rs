@@ -55,14 +55,24 @@ pub(crate) struct Ears<'a> {
     pub(crate) unprinted: &'a Unprinted,
 }
 
+/// What the vehicle controller hears of the cluster.
+pub(crate) struct Cluster {
+    /// The cluster's messages.
+    pub(crate) messages: &'static [CanId],
+    /// Those of them that say what it acts on.
+    pub(crate) proof: &'static [CanId],
+    /// Takes them in.
+    pub(crate) take: fn(&Inbox, &mut Meter),
+}
+
 /// How each node takes in what reaches it: into its own memory, out of its own ears.
 pub(crate) struct Hears {
     /// Messages that a node listens to.
     pub(crate) messages: &'static [(Node, &'static [CanId])],
     /// Messages between battery and charger: nobody misses them while the plug is out.
     pub(crate) while_plugged: &'static [CanId],
-    /// The cluster's messages that prove that it is there, and what the vehicle controller takes out of them.
-    pub(crate) cluster: (&'static [CanId], fn(&Inbox, &mut Meter)),
+    /// What the vehicle controller takes out of the cluster's messages.
+    pub(crate) cluster: Cluster,
     /// Vehicle controller.
     pub(crate) vcu: fn(&Ears<'_>, &mut Heard),
     /// Battery controller.

@@ -298,8 +298,8 @@ pub struct Bms {
     pub vcu_silence_ms: u64,
     /// Current limits without the halving for a current over them.
     pub limits: Limits,
-    /// The same as they were in the last two frames that told them, the later one first.
-    pub sent_limits: [Limits; 2],
+    /// The same as they were in the last two frames that told them, the later one first; `None` = not yet told.
+    pub sent_limits: [Option<Limits>; 2],
     /// Main negative has not followed its coil since high voltage was asked for.
     pub negative_failed: bool,
     /// A fault keeps open what is open (interlock, fire: no driving off).

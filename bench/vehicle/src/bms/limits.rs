@@ -77,14 +77,15 @@ pub(super) fn step(world: &mut World, allowed: &Allowed) {
 /// Keeps the limits that a frame has just told.
 pub(crate) fn sent(world: &mut World) {
     let bms = &mut world.bms;
-    bms.sent_limits = [bms.limits, bms.sent_limits[0]];
+    bms.sent_limits = [Some(bms.limits), bms.sent_limits[0]];
 }
 
-/// Limits that the vehicle has had time to obey: of the last two frames the more generous (V-7).
-pub(super) fn obeyed(world: &World) -> Limits {
+/// Limits that the vehicle has had time to obey: of the last two frames the more generous (V-7). `None` = none was told.
+pub(super) fn obeyed(world: &World) -> Option<Limits> {
     let [later, earlier] = world.bms.sent_limits;
-    Limits {
+    let (later, earlier) = (later?, earlier.or(later)?);
+    Some(Limits {
         charge_amps: later.charge_amps.max(earlier.charge_amps),
         discharge_amps: later.discharge_amps.max(earlier.discharge_amps),
-    }
+    })
 }

@@ -65,8 +65,12 @@ fn measure(world: &World, of: Quantity) -> f64 {
         Quantity::Cold => bms.cold.value,
         Quantity::HeatSpread => bms.hot.value - bms.cold.value,
         Quantity::Soc => world.counted_soc() * 100.0,
-        Quantity::DischargePercent => percent(pack.amps, limits::obeyed(world).discharge_amps),
-        Quantity::ChargePercent => percent(-pack.amps, limits::obeyed(world).charge_amps),
+        Quantity::DischargePercent => {
+            limits::obeyed(world).map_or(0.0, |limits| percent(pack.amps, limits.discharge_amps))
+        }
+        Quantity::ChargePercent => {
+            limits::obeyed(world).map_or(0.0, |limits| percent(-pack.amps, limits.charge_amps))
+        }
         Quantity::OhmPerVolt => {
             let kiloohm = world.insulation.positive_kiloohm.min(world.insulation.negative_kiloohm);
             kiloohm * 1_000.0 / pack.volts.max(1.0)
@@ -208,6 +212,7 @@ pub(super) fn forget(world: &mut World) {
     let bms = &mut world.bms;
     bms.raised.clear();
     bms.active.clear();
+    bms.sent_limits = [None; 2];
     bms.soc_before = None;
     bms.soc_jump_ms = 0;
     bms.turn = Turn::default();

@@ -7,7 +7,7 @@
 use super::faults;
 use crate::inbox::Inbox;
 use crate::told::{ChargeOrder, ChargerBounds, ChargerReport, Hold, MotorCommand};
-use crate::vehicle::{Ears, Hears};
+use crate::vehicle::{Cluster, Ears, Hears};
 use crate::world::{Bms, Charge, Charger, ContactorBox, Heard, Hvac, Meter, PartsHeard};
 use protocol_core::frame::CanId;
 use protocol_core::generated::c5ev::{self, id};
@@ -32,7 +32,7 @@ pub(super) const HEARS: Hears = Hears {
         id::CHARGER_VOLTAGE_LIMITS,
         id::CHARGER_CURRENT_LIMITS,
     ],
-    cluster: (&[], cluster),
+    cluster: Cluster { messages: &[], proof: &[], take: cluster },
     vcu,
     bms,
     inverter,

@@ -7,7 +7,7 @@
 use crate::bus::truth::leak;
 use crate::inbox::Inbox;
 use crate::told::{BatteryCommand, ChargeOrder, ChargerReport, Hold, HvacOrder, MotorCommand, PumpCommand};
-use crate::vehicle::{Ears, Hears};
+use crate::vehicle::{Cluster, Ears, Hears};
 use crate::world::{Bms, Charge, Charger, ContactorBox, Heard, Hvac, Key, Meter, PartsHeard};
 use protocol_core::frame::CanId;
 use protocol_core::generated::citybus::{self, id};
@@ -49,7 +49,7 @@ pub(super) const HEARS: Hears = Hears {
         (Node::Contactors, &[id::VCU10]),
     ],
     while_plugged: &[id::CHARGER_TX, id::CHARGER_RX],
-    cluster: (&[id::METER1, id::METER2], cluster),
+    cluster: Cluster { messages: &[id::METER1, id::METER2], proof: &[id::METER1], take: cluster },
     vcu,
     bms,
     inverter,

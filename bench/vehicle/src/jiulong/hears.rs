@@ -5,7 +5,7 @@
 
 use crate::inbox::Inbox;
 use crate::told::{ChargerReport, MotorCommand};
-use crate::vehicle::{Ears, Hears};
+use crate::vehicle::{Cluster, Ears, Hears};
 use crate::world::{Bms, Charger, ContactorBox, Heard, Hvac, Meter, PartsHeard};
 use protocol_core::generated::jiulong::{self, id};
 use protocol_core::model::Severity;
@@ -17,7 +17,7 @@ pub(super) const HEARS: Hears = Hears {
         (Node::Bms, &[id::CHARGER, id::METER3]),
     ],
     while_plugged: &[id::CHARGER],
-    cluster: (&[id::METER1, id::METER2, id::METER3], cluster),
+    cluster: Cluster { messages: &[id::METER1, id::METER2, id::METER3], proof: &[], take: cluster },
     vcu,
     bms,
     inverter,
