@@ -24,7 +24,7 @@ mod spec;
 mod vcu;
 mod vehicle;
 
-// One line and one folder per vehicle; its row of `Kind` is below.
+// One folder per vehicle; its row is in `vehicles!` below.
 mod c5ev;
 mod citybus;
 mod jiulong;
@@ -43,30 +43,39 @@ pub const STEP_MS: u64 = 10;
 /// The same in seconds, for the physics.
 pub(crate) const STEP_S: f64 = STEP_MS as f64 / 1_000.0;
 
-/// Which of the three vehicles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+/// Makes [`Kind`] out of one row per vehicle: its name here and its folder.
+macro_rules! vehicles {
+    ($($(#[$doc:meta])* $kind:ident => $folder:ident,)+) => {
+        /// Which vehicle.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Kind {
+            $($(#[$doc])* $kind,)+
+        }
+
+        impl Kind {
+            /// Every vehicle.
+            pub const ALL: [Self; [$(Self::$kind),+].len()] = [$(Self::$kind),+];
+
+            /// What its folder gives.
+            pub(crate) const fn definition(self) -> &'static Definition {
+                match self {
+                    $(Self::$kind => &$folder::VEHICLE,)+
+                }
+            }
+        }
+    };
+}
+
+vehicles! {
     /// The city bus.
-    Citybus,
+    Citybus => citybus,
     /// The E66/E7/E8/E10 vans and buses.
-    Jiulong,
+    Jiulong => jiulong,
     /// The car.
-    C5ev,
+    C5ev => c5ev,
 }
 
 impl Kind {
-    /// Every vehicle.
-    pub const ALL: [Self; 3] = [Self::Citybus, Self::Jiulong, Self::C5ev];
-
-    /// What its folder gives.
-    pub(crate) const fn definition(self) -> &'static Definition {
-        match self {
-            Self::Citybus => &citybus::VEHICLE,
-            Self::Jiulong => &jiulong::VEHICLE,
-            Self::C5ev => &c5ev::VEHICLE,
-        }
-    }
-
     /// Returns the name of its folder in `vehicles/`.
     pub const fn name(self) -> &'static str {
         self.definition().name

@@ -129,15 +129,3 @@ fn take_turns(vcu: &mut crate::world::Vcu, codes: Vec<u16>) {
     vcu.code = next.unwrap_or(0);
     vcu.codes = codes;
 }
-
-/// How bad what the motor controller reports is: it stops for a fault and for a protection that has tripped, drives on
-/// with less when too hot or too fast, and gives alarm while heat takes torque (JL-R010).
-pub(crate) fn motor_severity(world: &World) -> Severity {
-    let motor = &world.vcu.heard.motor;
-    match (motor.fault_code != 0 || motor.tripped, motor.protections != 0) {
-        (true, _) => Severity::Stop,
-        (false, true) => Severity::Derate,
-        (false, false) if super::limits::is_warm(world) => Severity::Warn,
-        (false, false) => Severity::None,
-    }
-}

@@ -56,14 +56,21 @@ fn cool(world: &World) -> f64 {
     share(motor.celsius, WARM[0]).min(share(motor.inverter_celsius, WARM[1]))
 }
 
-/// Heat takes some of the torque.
-pub(super) fn is_warm(world: &World) -> bool {
-    cool(world) < 1.0
+/// How bad what the motor controller reports is: it stops for a fault and for a protection that has tripped, drives on
+/// with less when too hot or too fast, and gives alarm while heat takes torque (JL-R010).
+pub(crate) fn motor_severity(world: &World) -> Severity {
+    let motor = &world.vcu.heard.motor;
+    match (motor.fault_code != 0 || motor.tripped, motor.protections != 0) {
+        (true, _) => Severity::Stop,
+        (false, true) => Severity::Derate,
+        (false, false) if cool(world) < 1.0 => Severity::Warn,
+        (false, false) => Severity::None,
+    }
 }
 
 /// Speed in km/h at which the torque is taken back.
 pub(super) fn top_kmh(world: &World, spec: &Spec, reverse: bool) -> f64 {
-    let worst = faults::worst(world).max(faults::motor_severity(world));
+    let worst = faults::worst(world).max(motor_severity(world));
     match (reverse, worst) {
         (true, _) => spec.top_reverse_kmh,
         (false, Severity::Derate) => spec.derated_top * spec.top_kmh,

@@ -14,7 +14,7 @@ mod shift;
 mod torque;
 
 pub(crate) use controls::{CONTROLS, FALLING_LEVELS, RISING_LEVELS};
-pub(crate) use faults::motor_severity;
+pub(crate) use limits::motor_severity;
 
 use crate::world::{Key, World};
 
