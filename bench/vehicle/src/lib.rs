@@ -290,3 +290,6 @@ impl World {
         world
     }
 }
+
+#[cfg(test)]
+mod apart;

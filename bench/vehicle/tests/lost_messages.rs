@@ -27,7 +27,9 @@ type Conclusion = (&'static str, fn(&World) -> bool);
 const DRIVING: &[Conclusion] = &[
     ("vehicle controller limps", |world| world.vcu.limp),
     ("system fault bit", |world| world.vcu.system_fault),
-    ("battery: code 70, limp", |world| world.bms.active.iter().any(|fault| fault.code == 70) && world.bms.limp),
+    ("battery: code 70, limp", |world| {
+        world.bms.active.iter().any(|fault| fault.code == 70) && world.bms.limp
+    }),
     ("READY goes out", |world| !world.vcu.ready),
     ("motor without torque", |world| !world.motor.running),
     ("battery says that it has lost the vehicle controller", |world| {
@@ -184,7 +186,8 @@ fn every_message_that_is_lost_alone_is_missed_as_the_documents_say() {
     );
     let mut all = Vec::new();
     for kind in Kind::ALL {
-        write!(text, "\n## {}\n\n| message | driving | charging |\n| --- | --- | --- |\n", kind.name()).unwrap();
+        write!(text, "\n## {}\n\n| message | driving | charging |\n| --- | --- | --- |\n", kind.name())
+            .unwrap();
         for (name, found) in losses(kind) {
             let cell = |scene: &str| {
                 let lines = found.iter().filter(|(of, ..)| *of == scene);
@@ -226,5 +229,8 @@ fn every_message_that_is_lost_alone_is_missed_as_the_documents_say() {
         assert!(ms.is_some_and(|ms| (4_000..=5_100).contains(&ms)), "{message}: {ms:?}");
     }
     let now = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(now == text, "{FILE} differs: `BLESS=1 cargo test -p virtual-vehicle --test lost_messages` refreshes it");
+    assert!(
+        now == text,
+        "{FILE} differs: `BLESS=1 cargo test -p virtual-vehicle --test lost_messages` refreshes it"
+    );
 }

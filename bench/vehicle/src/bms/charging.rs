@@ -197,7 +197,7 @@ impl ChargerTrips {
 }
 
 /// The charger itself.
-fn charger(world: &mut World) {
+pub(crate) fn charger(world: &mut World) {
     let plugged = world.charger.plugged;
     let by_pantograph = conducts(&world.bms.charge_2) && !plugged;
     let heard = !battery_is_lost(world);

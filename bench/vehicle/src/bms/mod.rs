@@ -12,6 +12,8 @@ mod limits;
 mod monitor;
 mod pack;
 
+#[cfg(test)]
+pub(crate) use charging::charger as charger_step;
 pub(crate) use controls::CONTROLS;
 pub(crate) use limits::sent as limits_sent;
 

@@ -30,7 +30,7 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
         Some(Gear::R) => -1.0,
         _ => 0.0,
     };
-    let free = world.vcu.ready && !world.vcu.seat_cut && direction != 0.0;
+    let free = world.vcu.ready && !world.vcu.seat_cut && direction != 0.0 && !is_held(world);
     if !free {
         world.vcu.wanted_nm = 0.0;
         return;
@@ -44,6 +44,12 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
     let driving = driving(world, spec, accelerator, speed, direction < 0.0);
     let braking = braking(world, spec, accelerator, brake, speed);
     world.vcu.wanted_nm = direction * (driving - braking);
+}
+
+/// A bus that stands does not drive off with a passenger door open or its hand brake on, as the cluster says (V-3).
+fn is_held(world: &World) -> bool {
+    let says = world.meter.door_open || world.meter.parking_brake;
+    world.motion.metres_per_s == 0.0 && says && power_up::hears_cluster(world)
 }
 
 fn seat(world: &mut World) {
