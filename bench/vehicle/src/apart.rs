@@ -142,8 +142,7 @@ fn the_vehicle_controller_decides_by_what_it_heard() {
 
 #[test]
 fn the_battery_controller_decides_by_what_it_heard() {
-    // The charger's current, which its own memory makes, is physics to the battery.
-    same("battery", &[Node::Bms, Node::Charger], bms::step, |world| world.bms.clone());
+    same("battery", &[Node::Bms], bms::step, |world| world.bms.clone());
 }
 
 #[test]

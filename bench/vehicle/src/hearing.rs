@@ -57,9 +57,9 @@ pub(crate) fn step(world: &mut World, vehicle: &Definition) {
     let is_awake = world.is_awake();
     for inbox in &mut world.links.inboxes {
         if is_awake {
-            inbox.pass()
+            inbox.pass();
         } else {
-            inbox.rest()
+            inbox.rest();
         }
         if !world.charger.plugged {
             vehicle.hears.while_plugged.iter().for_each(|id| inbox.forget(*id));
