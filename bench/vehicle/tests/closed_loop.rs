@@ -119,7 +119,7 @@ fn bus_r080_the_bit_is_on_the_bus_within_5_s_of_the_last_frame_of_the_battery() 
                 match sent.frame.id {
                     BMS1 | BMS4 | BMS5 => last_us = sent.at_us,
                     VCU1 if told_us.is_none() && bit(*sent.frame.padded(), 7, 6) => {
-                        told_us = Some(sent.at_us)
+                        told_us = Some(sent.at_us);
                     }
                     _ => {}
                 }
@@ -267,7 +267,7 @@ fn v_3_a_bus_with_an_open_door_or_its_hand_brake_on_stands() {
 fn bus_r072_bus_r026_to_r028_codes_of_both_take_turns_of_a_second_and_the_worst_level_stands_alone() {
     let seen = |ride: &mut Ride, seconds: u64| {
         let mut seen = BTreeSet::new();
-        ride.watch(seconds, |ride| drop(seen.insert(told(ride))));
+        ride.watch(seconds, |ride| seen.extend([told(ride)]));
         seen
     };
     let mut ride = started(&[("battery.internal_bus", "on"), ("battery.current_sensor", "on")]);
@@ -318,7 +318,7 @@ fn bus_r102_a_current_over_the_limit_that_was_told_is_a_fault_and_clears_below_i
     let codes = |ride: &mut Ride, amps: &str| {
         ride.set("battery.amps", amps).seconds(2);
         let mut codes = BTreeSet::new();
-        ride.watch(4, |ride| drop(codes.insert(ride.frame(BMS5)[0])));
+        ride.watch(4, |ride| codes.extend([ride.frame(BMS5)[0]]));
         codes
     };
     assert_eq!(codes(&mut ride, "209"), BTreeSet::from([108]));

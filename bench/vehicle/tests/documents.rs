@@ -44,6 +44,9 @@ fn rows() -> Vec<Row> {
     text.lines().filter(|line| !line.starts_with('#') && !line.is_empty()).map(row).collect()
 }
 
+/// Controls and what they are set to.
+type Settings = &'static [(&'static str, f64)];
+
 const VCU7: u32 = 0x0CF1_064A;
 const BMS1: u32 = 0x18F1_3DF3;
 const BMS4: u32 = 0x18F1_40F3;
@@ -193,7 +196,7 @@ fn bus_r116_bus_r117_a_fire_is_told_from_75_degrees_on_by_both_routes_and_stays(
 
 #[test]
 fn bus_r073_to_bus_r076_extreme_faults_ask_for_high_voltage_to_be_opened_both_sides() {
-    let cases: [(&[(&str, f64)], &str, f64, f64); 4] = [
+    let cases: [(Settings, &str, f64, f64); 4] = [
         (&[("battery.lowest_cell", 3.62)], "battery.highest_cell", 4.1, 4.101),
         (&[("battery.highest_cell", 2.75)], "battery.lowest_cell", 2.3, 2.299),
         (&[("battery.hottest", 5.0), ("battery.coldest", -5.0)], "battery.lowest_cell", 2.1, 2.099),

@@ -117,7 +117,7 @@ fn run(kind: Kind, scene: &Scene, lost: Option<&str>) -> Vec<Vec<bool>> {
 /// What the cluster says, once a second.
 fn speak(kind: Kind, vehicle: &mut VirtualVehicle, is_gone: impl Fn(&str) -> bool) {
     let now = vehicle.now_ms();
-    if now % 1_000 != 0 {
+    if !now.is_multiple_of(1_000) {
         return;
     }
     let life = (now / 1_000) as u8;
@@ -157,8 +157,11 @@ fn is_first(name: &str) -> bool {
     number.is_none_or(|number| number == "1")
 }
 
+/// Scene, conclusion, and after how long, in ms.
+type Found = (&'static str, &'static str, u64);
+
 /// Every message of a vehicle, and what follows from its loss.
-fn losses(kind: Kind) -> Vec<(&'static str, Vec<(&'static str, &'static str, u64)>)> {
+fn losses(kind: Kind) -> Vec<(&'static str, Vec<Found>)> {
     let with = SCENES.each_ref().map(|scene| run(kind, scene, None));
     let names = messages(kind).iter().map(|info| info.name).filter(|name| is_first(name));
     names
