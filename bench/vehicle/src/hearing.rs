@@ -4,8 +4,9 @@
 //! sleeps forgets; nobody misses a charger that is not plugged in. Refuses to know a message.
 
 use crate::inbox::Inbox;
+use crate::told::{BatteryCommand, ChargeOrder, ChargerReport, HvacOrder};
 use crate::vehicle::{Definition, Ears};
-use crate::world::{NODE_COUNT, World};
+use crate::world::{ContactorBox, Heard, NODE_COUNT, PartsHeard, World};
 use protocol_core::CanFrame;
 use protocol_core::frame::CanId;
 use protocol_core::vehicle::Node;
@@ -66,6 +67,10 @@ pub(crate) fn step(world: &mut World, vehicle: &Definition) {
         }
     }
     say_unprinted(world, vehicle, is_awake);
+    if !is_awake {
+        forget(world);
+        return;
+    }
     let links = &world.links;
     let ears = |node: Node| Ears { inbox: links.inbox(node), unprinted: &links.unprinted };
     (vehicle.hears.vcu)(&ears(Node::Vcu), &mut world.vcu.heard);
@@ -76,6 +81,21 @@ pub(crate) fn step(world: &mut World, vehicle: &Definition) {
     (vehicle.hears.hvac)(&ears(Node::Hvac), &mut world.hvac);
     (vehicle.hears.charger)(&ears(Node::Charger), &mut world.charger);
     (vehicle.hears.contactor_box)(&ears(Node::Contactors), &mut world.contactor_box);
+}
+
+/// Forgets what was heard: power-off. A command from before it must not act after it.
+fn forget(world: &mut World) {
+    world.vcu.heard = Heard::default();
+    world.vcu.battery_codes.clear();
+    world.bms.vcu = BatteryCommand::default();
+    world.bms.vcu_silence_ms = 0;
+    world.bms.charger = ChargerReport::default();
+    world.bms.charger_silence_ms = 0;
+    world.motor.heard = None;
+    world.parts_heard = PartsHeard::default();
+    world.hvac.heard = HvacOrder::default();
+    world.charger.heard = ChargeOrder::default();
+    world.contactor_box = ContactorBox::default();
 }
 
 fn say_unprinted(world: &mut World, vehicle: &Definition, is_awake: bool) {

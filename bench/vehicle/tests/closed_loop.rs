@@ -168,6 +168,17 @@ fn c5_r001_the_main_contactor_closes_after_0xaa_and_not_before() {
 }
 
 #[test]
+fn a_command_from_before_the_power_off_does_not_act_after_it() {
+    for kind in Kind::ALL {
+        let mut ride = Ride::ready(kind);
+        ride.set("driver.key", "lock").seconds(2).set("driver.key", "on");
+        ride.watch(3, |ride| {
+            assert!(!ride.world().bms.negative.driven && !ride.world().motor.running, "{kind:?}")
+        });
+    }
+}
+
+#[test]
 fn c5_r006_bus_r154_current_flows_after_the_frame_that_allows_it() {
     let cases = [
         (Kind::Citybus, CHARGER_RX, (6, 0, true)),
@@ -199,6 +210,23 @@ fn bus_r065_the_three_seconds_of_the_answer_begin_with_the_frame_of_the_request(
 }
 
 // --- what anybody sends acts
+
+#[test]
+fn over_a_bus_the_nodes_hear_what_the_bus_brings_back_and_nothing_else() {
+    for brings in [true, false] {
+        let mut vehicle = VirtualVehicle::new(Kind::Citybus, Options::default());
+        vehicle.over_a_bus();
+        vehicle.set("driver.key", Some(3.0)).unwrap();
+        for _ in 0..800 {
+            vehicle.advance();
+            for sent in vehicle.take_frames().into_iter().filter(|_| brings) {
+                vehicle.receive(&sent.frame);
+            }
+        }
+        let world = vehicle.world();
+        assert_eq!((world.vcu.ready, world.bms.main.closed, world.vcu.limp), (brings, brings, !brings));
+    }
+}
 
 #[test]
 fn a_limit_that_a_foreign_tool_sends_is_obeyed() {
