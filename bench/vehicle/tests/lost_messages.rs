@@ -1,6 +1,6 @@
 //! For every message of every vehicle a run in which only that message is lost: who notices, and after how long.
 //!
-//! The answers are a table in the documentation, `docs/reference/lost-messages.md`, that this test writes and checks: each
+//! The answers are a table in the documentation, `docs/lost-messages.md`, that this test writes and checks: each
 //! line is what is other than in the same run with every message. Two scenes: a drive at 40 km/h with air conditioning,
 //! in which ten seconds later a hot battery asks for high voltage to be opened; and charging from the mains.
 
@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use virtual_vehicle::world::Charge;
 use virtual_vehicle::{Kind, Options, STEP_MS, VirtualVehicle, World};
 
-const FILE: &str = "docs/reference/lost-messages.md";
+const FILE: &str = "docs/lost-messages.md";
 
 fn messages(kind: Kind) -> &'static [MessageInfo] {
     match kind {
@@ -185,7 +185,7 @@ fn every_message_that_is_lost_alone_is_missed_as_the_documents_say() {
          opened. *Charging* is from the mains. What no node but the cluster acts on is -: what the cluster says of it is in\n\
          the scenarios. Nobody follows a command that was not sent: what was last heard holds until the time here.\n\n\
          Written and checked by `cargo test -p virtual-vehicle --test lost_messages`; refresh it with `BLESS=1` before it.\n\
-         The readings behind it: [vehicle-readings.md](../vehicle-readings.md).\n",
+         The readings behind it: [vehicle-readings.md](vehicle-readings.md).\n",
     );
     let mut all = Vec::new();
     for kind in Kind::ALL {
