@@ -34,7 +34,6 @@ fn near(actual: f64, expected: f64) -> bool {
     (actual - expected).abs() <= 0.015 * expected.abs() + 1e-9
 }
 
-
 #[test]
 fn bus_r095_spread_is_not_monitored_while_charging() {
     let mut rig = Rig::new(Kind::Citybus);
