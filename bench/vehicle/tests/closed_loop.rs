@@ -250,7 +250,7 @@ fn a_torque_that_a_foreign_tool_sends_moves_the_bus() {
     assert!(ride.world().motion.metres_per_s > 0.3 && ride.world().motor.nm > 499.0);
 }
 
-/// Meter1: key 0 LOCK, 1 ON, 2 ACC, 3 START in byte 2 bits 7-6, hand brake bit 4, entry door bit 2; life in byte 8.
+/// Meter1: key 0 LOCK, 1 ON, 2 ACC, 3 START in byte 2 bits 7-6, parking brake bit 4, entry door bit 2; life in byte 8.
 fn say(ride: &mut Ride, key: u8, more: u8) {
     let life = (ride.world().now_ms / 10) as u8;
     ride.hear(METER1, [120, key << 6 | more, 75, 75, 0, 0, 0, life]);
@@ -272,7 +272,7 @@ fn bus_r041_v_3_the_key_of_the_cluster_starts_and_switches_off() {
 }
 
 #[test]
-fn v_3_a_bus_with_an_open_door_or_its_hand_brake_on_stands() {
+fn v_3_a_bus_with_an_open_door_or_its_parking_brake_on_stands() {
     for more in [0b100, 0b1_0000] {
         let mut ride = started(&[("driver.gear", "D"), ("driver.accelerator", "40")]);
         ride.set("driver.accelerator", "0").set("driver.brake", "50").seconds(5);
@@ -282,7 +282,7 @@ fn v_3_a_bus_with_an_open_door_or_its_hand_brake_on_stands() {
             ride.seconds(1);
         }
         assert_eq!(ride.world().motion.metres_per_s, 0.0, "{more:#b}");
-        assert_eq!(bit(ride.frame(VCU1), 1, 6), more == 0b1_0000, "hand brake in VCU1");
+        assert_eq!(bit(ride.frame(VCU1), 1, 6), more == 0b1_0000, "parking brake in VCU1");
         say(&mut ride, 1, 0);
         ride.seconds(1);
         assert!(ride.world().motion.metres_per_s > 0.0);

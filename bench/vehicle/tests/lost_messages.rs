@@ -42,7 +42,7 @@ const DRIVING: &[Conclusion] = &[
     ("air conditioning: alarm, goes on", |world| world.hvac.communication_alarm && world.hvac.on),
     ("high voltage is not opened in time", |world| world.bms.hv_off_ms >= 5_000 && world.bms.main.closed),
     ("battery opens it itself", |world| world.bms.isolated && world.bms.main.closed),
-    ("cluster not heard: key and hand brake by wire", |world| world.meter.silent_ms >= 3_000),
+    ("cluster not heard: key and parking brake by wire", |world| world.meter.silent_ms >= 3_000),
 ];
 
 const CHARGING: &[Conclusion] = &[

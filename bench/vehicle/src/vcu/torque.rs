@@ -46,7 +46,7 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
     world.vcu.wanted_nm = direction * (driving - braking);
 }
 
-/// A bus that stands does not drive off with a passenger door open or its hand brake on, as the cluster says (V-3).
+/// A bus that stands does not drive off with a passenger door open or its parking brake on, as the cluster says (V-3).
 fn is_held(world: &World) -> bool {
     let says = world.meter.door_open || world.meter.parking_brake;
     world.motion.metres_per_s == 0.0 && says && power_up::hears_cluster(world)
