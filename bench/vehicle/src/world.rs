@@ -414,8 +414,6 @@ pub struct Vcu {
     pub severity: Severity,
     /// Code sent now, 0 = none.
     pub code: u16,
-    /// Codes of that severity that take turns (BUS-R028).
-    pub codes: Vec<u16>,
     /// Codes heard of the battery, each with the milliseconds since it was heard.
     pub battery_codes: Vec<(u16, u64)>,
     /// Voltage of the link, as the motor controller last told it; `None` = not for too long.

@@ -7,7 +7,7 @@
 
 use crate::STEP_MS;
 use crate::spec::Spec;
-use crate::world::World;
+use crate::world::{Vcu, World};
 use protocol_core::model::Severity;
 
 /// Each of several codes is sent for this long.
@@ -111,11 +111,11 @@ fn report(world: &mut World, spec: &Spec) {
     let vcu = &mut world.vcu;
     vcu.own_severity = own_severity;
     vcu.severity = severity;
-    take_turns(vcu, codes);
+    take_turns(vcu, &codes);
 }
 
 /// Sends each code for its time; one that joins waits for its turn, one that leaves hands over at once.
-fn take_turns(vcu: &mut crate::world::Vcu, codes: Vec<u16>) {
+fn take_turns(vcu: &mut Vcu, codes: &[u16]) {
     let place = codes.iter().position(|code| *code == vcu.code);
     vcu.spans.rotation_ms = vcu.spans.rotation_ms.saturating_add(STEP_MS);
     let next = match place {
@@ -127,5 +127,4 @@ fn take_turns(vcu: &mut crate::world::Vcu, codes: Vec<u16>) {
         vcu.spans.rotation_ms = 0;
     }
     vcu.code = next.unwrap_or(0);
-    vcu.codes = codes;
 }
