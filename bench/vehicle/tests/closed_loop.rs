@@ -173,7 +173,7 @@ fn a_command_from_before_the_power_off_does_not_act_after_it() {
         let mut ride = Ride::ready(kind);
         ride.set("driver.key", "lock").seconds(2).set("driver.key", "on");
         ride.watch(3, |ride| {
-            assert!(!ride.world().bms.negative.driven && !ride.world().motor.running, "{kind:?}")
+            assert!(!ride.world().bms.negative.driven && !ride.world().motor.running, "{kind:?}");
         });
     }
 }
@@ -364,6 +364,19 @@ fn bus_r102_a_limit_that_falls_is_no_fault_of_a_vehicle_that_follows_it() {
         assert!(ride.world().bms.active.iter().all(|fault| fault.code != 110), "at {}", ride.world().now_ms);
     });
     assert!(ride.world().pack.amps <= 200.0);
+}
+
+#[test]
+fn v_7_what_converter_and_pumps_take_at_a_limit_of_0_is_no_current_over_the_limit() {
+    for kind in [Kind::Citybus, Kind::C5ev] {
+        let mut ride = Ride::ready(kind);
+        ride.seconds(2).set("battery.interlock", "on");
+        ride.watch(6, |ride| {
+            let faults = &ride.world().bms.active;
+            assert!(ride.world().now_ms < 4_000 || ride.world().pack.amps > 0.5, "they run");
+            assert!(faults.len() <= 1, "{kind:?}: {faults:?}");
+        });
+    }
 }
 
 #[test]

@@ -13,8 +13,10 @@ const LIMP_RATE: f64 = 0.3;
 
 /// Share of the largest discharge current by the coldest probe.
 const DISCHARGE_BY_CELSIUS: &[(f64, f64)] = &[(-30.0, 0.2), (-20.0, 0.4), (0.0, 0.8), (10.0, 1.0)];
+/// Share of the largest discharge current that pumps and converter may take, whatever the limit for driving is.
+const ACCESSORIES: f64 = 0.1;
 /// Share of the largest discharge current by state of charge; never none, for the pumps and the converter.
-const DISCHARGE_BY_SOC: &[(f64, f64)] = &[(0.0, 0.1), (0.1, 1.0)];
+const DISCHARGE_BY_SOC: &[(f64, f64)] = &[(0.0, ACCESSORIES), (0.1, 1.0)];
 /// Share of the largest charge current by the coldest probe: below freezing lithium would plate.
 const CHARGE_BY_CELSIUS: &[(f64, f64)] = &[(0.0, 0.0), (2.0, 0.2), (15.0, 1.0)];
 /// Share of the largest charge current by state of charge.
@@ -80,12 +82,16 @@ pub(crate) fn sent(world: &mut World) {
     bms.sent_limits = [Some(bms.limits), bms.sent_limits[0]];
 }
 
-/// Limits that the vehicle has had time to obey: of the last two frames the more generous (V-7). `None` = none was told.
+/// Limits that the vehicle has had time to obey: of the last two frames the more generous, and for discharge what pumps
+/// and converter take at least (V-7). `None` = none was told.
 pub(super) fn obeyed(world: &World) -> Option<Limits> {
     let [later, earlier] = world.bms.sent_limits;
     let (later, earlier) = (later?, earlier.or(later)?);
     Some(Limits {
         charge_amps: later.charge_amps.max(earlier.charge_amps),
-        discharge_amps: later.discharge_amps.max(earlier.discharge_amps),
+        discharge_amps: later
+            .discharge_amps
+            .max(earlier.discharge_amps)
+            .max(ACCESSORIES * world.spec.battery.discharge_amps),
     })
 }
