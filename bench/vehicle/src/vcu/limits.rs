@@ -44,7 +44,10 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
     vcu.allowed_regeneration_watts =
         if vcu.may_regenerate { (factor * spec.regeneration_watts).min(into_battery).max(0.0) } else { 0.0 };
     let told = TOLD * spec.max_watts * if world.driver.economy { 0.85 } else { 1.0 };
-    vcu.power_limited = vcu.limp || (vcu.ready && vcu.allowed_watts < told);
+    // A limit of 0 takes READY, too, and is the strictest limit of all.
+    let nothing =
+        vcu.heard.battery.discharge_limit_amps == Some(0.0) && vcu.started && vcu.spans.hv_on_ms > 0;
+    vcu.power_limited = vcu.limp || nothing || (vcu.ready && vcu.allowed_watts < told);
     vcu.torque_limited = cool < 1.0 || vcu.seat_cut;
 }
 
