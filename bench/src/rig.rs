@@ -161,8 +161,9 @@ impl Rig {
         })
     }
 
-    /// Puts a vehicle around the cluster: each of its nodes is a node of the bus, and it hears what the cluster sends.
-    pub fn drive(&mut self, vehicle: VirtualVehicle) {
+    /// Puts a vehicle around the cluster: each of its nodes is a node of the bus, and hears what is on it, whoever sent it.
+    pub fn drive(&mut self, mut vehicle: VirtualVehicle) {
+        vehicle.over_a_bus();
         let since = self.now();
         let told = self.heard.lock().map_or(0, |heard| heard.next_number());
         let bus = self.board_mut().bus_mut();
@@ -220,7 +221,7 @@ impl Rig {
         let mut around = self.around.take()?;
         while around.due() <= now {
             if let Ok(heard) = self.heard.lock() {
-                for heard in heard.since(around.told).iter().filter(|heard| heard.by_cluster) {
+                for heard in heard.since(around.told) {
                     if let Some(frame) = heard.frame.data_frame() {
                         around.vehicle.receive(&frame);
                     }

@@ -243,9 +243,10 @@ impl<A: Adapter> Desk<A> {
         for _ in 0..FRAMES_PER_TURN {
             let Some(frame) = self.adapter.receive()? else { break };
             let Some(frame) = vehicles::can_frame(&frame) else { continue };
+            // Whoever sends it: the nodes that are played here hear what is on the bus.
+            self.vehicle.receive(&frame);
             if self.tables.message(frame.id).is_some_and(|message| message.sender == CLUSTER) {
                 self.tally.from_cluster += 1;
-                self.vehicle.receive(&frame);
                 let meter = self.meters.entry(frame.id).or_insert_with(|| (frame, String::new()));
                 meter.0 = frame;
             } else {

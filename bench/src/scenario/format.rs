@@ -11,7 +11,7 @@ use cluster::Button;
 use serde::Deserialize;
 use std::path::Path;
 use toml::{Spanned, Table, Value};
-use virtual_vehicle::{ControlError, Cycles, Kind, Options, VirtualVehicle, control};
+use virtual_vehicle::{ControlError, Cycles, Kind, Options, VirtualVehicle};
 
 /// Time that what is shown may take, in seconds: the link's records come every 200 ms and take 50 ms on the wire.
 const WITHIN_S: f64 = 0.3;
@@ -43,6 +43,7 @@ struct Build {
     seed: Option<u64>,
     optional: Option<bool>,
     slow_cycles: Option<bool>,
+    overview_cycles: Option<bool>,
 }
 
 #[derive(Deserialize)]
@@ -131,7 +132,11 @@ pub fn parse(file: &str, kind: Kind, text: &str) -> Result<Scenario> {
 fn options(build: &Build) -> Options {
     let usual = Options::default();
     Options {
-        cycles: if build.slow_cycles == Some(true) { Cycles::Slow } else { Cycles::Page },
+        cycles: match (build.slow_cycles, build.overview_cycles) {
+            (Some(true), _) => Cycles::Slow,
+            (_, Some(true)) => Cycles::Overview,
+            _ => Cycles::Page,
+        },
         cells: build.cells.unwrap_or(usual.cells),
         probes: build.probes.unwrap_or(usual.probes),
         jitter_us: build.jitter_us.unwrap_or(usual.jitter_us),
@@ -282,8 +287,9 @@ impl Reader<'_> {
         let Some(control) = control else {
             let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
             let group = path.split('.').next();
-            let all: Vec<&str> = control::all()
-                .filter(|control| control.on.contains(&self.kind))
+            let all: Vec<&str> = self
+                .kind
+                .controls()
                 .map(|control| control.path)
                 .filter(|other| other.split('.').next() == group || last(other) == last(path))
                 .chain(

@@ -34,8 +34,10 @@ pub struct HostSubject {
 impl HostSubject {
     /// Switches a vehicle and its cluster on.
     pub fn new(kind: Kind, options: Options) -> Self {
+        let mut vehicle = VirtualVehicle::new(kind, options);
+        vehicle.over_a_bus();
         Self {
-            vehicle: VirtualVehicle::new(kind, options),
+            vehicle,
             instrument: Instrument::searching(SHIPPED_VEHICLES, cluster::Options::default()),
             buttons: Buttons::default(),
             faults: Vec::new(),
@@ -53,7 +55,11 @@ impl HostSubject {
         self.vehicle.advance();
         self.now_ms += STEP_MS;
         let is_silent = !self.faults.is_empty();
+        let carries = self.bus_carries();
         for sent in self.vehicle.take_frames() {
+            if carries {
+                self.vehicle.receive(&sent.frame);
+            }
             if !is_silent {
                 self.instrument.hear(&sent.frame, Millis(self.now_ms));
             }
@@ -74,6 +80,11 @@ impl HostSubject {
         if self.sounds.last().map(|(_, sound)| *sound) != Some(sound) {
             self.sounds.push((self.now_ms, sound));
         }
+    }
+
+    /// The other nodes hear one another: only the cluster's own wires and receptions are at fault, if anything is.
+    fn bus_carries(&self) -> bool {
+        !self.faults.iter().any(|fault| matches!(fault, BusFault::Short | BusFault::Babble))
     }
 
     fn view(&self) -> View {
@@ -103,7 +114,11 @@ impl Subject for HostSubject {
                 self.faults.extend(on.then_some(*fault));
             }
             Action::Send(frame) => {
-                if let Some(frame) = frame.data_frame().filter(|_| self.faults.is_empty()) {
+                let Some(frame) = frame.data_frame() else { return Ok(()) };
+                if self.bus_carries() {
+                    self.vehicle.receive(&frame);
+                }
+                if self.faults.is_empty() {
                     self.instrument.hear(&frame, Millis(self.now_ms));
                 }
             }

@@ -4,7 +4,6 @@
 //! what a setting leads to.
 
 use crate::world::World;
-use crate::{Kind, bms, drive, driver, parts, vcu, wire};
 use std::fmt;
 
 /// What is set: a number, a word's index or 0/1; `None` = left to the vehicle.
@@ -19,6 +18,11 @@ pub struct Word {
     pub zh: &'static str,
     /// In English.
     pub en: &'static str,
+}
+
+/// A word that is written like this, in Chinese and in English.
+pub(crate) const fn word(word: &'static str, zh: &'static str, en: &'static str) -> Word {
+    Word { word, zh, en }
 }
 
 /// What settings a control takes.
@@ -77,8 +81,8 @@ pub struct Control {
     pub takes: Takes,
     /// May be left to the vehicle: its setting may be `None`.
     pub free: bool,
-    /// Vehicles that have it.
-    pub on: &'static [Kind],
+    /// Only vehicles that name it have it.
+    pub(crate) optional: bool,
     /// Reads what is set.
     pub get: fn(&World) -> Setting,
     /// Sets it.
@@ -95,7 +99,7 @@ impl Control {
         get: fn(&World) -> Setting,
         set: fn(&mut World, Setting),
     ) -> Self {
-        Self { path, zh, en, group, takes, free: false, on: &Kind::ALL, get, set }
+        Self { path, zh, en, group, takes, free: false, optional: false, get, set }
     }
 
     /// The same, but it may be left to the vehicle.
@@ -103,9 +107,9 @@ impl Control {
         Self { free: true, ..self }
     }
 
-    /// The same, of these vehicles alone.
-    pub(crate) const fn on(self, kinds: &'static [Kind]) -> Self {
-        Self { on: kinds, ..self }
+    /// The same, of those vehicles alone that name it.
+    pub(crate) const fn optional(self) -> Self {
+        Self { optional: true, ..self }
     }
 
     /// Checks a setting against what the control takes.
@@ -222,21 +226,4 @@ pub(crate) fn is_on(setting: Setting) -> bool {
 /// Writes a setting of [`Takes::Flag`].
 pub(crate) fn flag(on: bool) -> Setting {
     Some(f64::from(u8::from(on)))
-}
-
-/// Every control of every vehicle, in the order of the page.
-pub fn all() -> impl Iterator<Item = &'static Control> {
-    [driver::CONTROLS, vcu::CONTROLS, drive::CONTROLS, bms::CONTROLS, parts::CONTROLS, wire::CONTROLS]
-        .into_iter()
-        .flatten()
-}
-
-/// Finds a control of a vehicle.
-pub(crate) fn find(kind: Kind, path: &str) -> Result<&'static Control, ControlError> {
-    let here = || all().filter(|control| control.on.contains(&kind));
-    here().find(|control| control.path == path).ok_or_else(|| {
-        let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
-        let nearest = here().find(|control| last(control.path) == last(path)).map(|control| control.path);
-        ControlError::Unknown { path: path.to_owned(), vehicle: kind.name(), nearest }
-    })
 }

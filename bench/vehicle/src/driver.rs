@@ -5,9 +5,9 @@
 //! drive off. A key that a person turns off stays off. Reads nothing but the speed and the lamps that a driver sees;
 //! knows no torque and no force.
 
+use crate::STEP_S;
 use crate::control::{Control, Group, Setting, Takes, Word, flag, is_on};
 use crate::world::{Gear, Key, World};
-use crate::{Kind, STEP_S};
 
 /// Pedal per km/h that is missing.
 const PEDAL_PER_KMH: f64 = 0.08;
@@ -110,10 +110,14 @@ fn set_target(world: &mut World, setting: Setting) {
     world.driver.effort = 0.0;
 }
 
-const CAR: &[Kind] = &[Kind::C5ev];
-const WITHOUT_PARK: &[Kind] = &[Kind::Citybus, Kind::Jiulong];
-const BUS: &[Kind] = &[Kind::Citybus];
-const JIULONG: &[Kind] = &[Kind::Jiulong];
+/// A lever without P, and one with.
+pub(crate) const GEAR: &[Control] = &[lever(GEARS.split_at(3).0)];
+pub(crate) const GEAR_WITH_PARK: &[Control] = &[lever(GEARS)];
+
+const fn lever(gears: &'static [Word]) -> Control {
+    Control::new("driver.gear", ["挡位", "Gear"], DRIVER, Takes::Choice(gears), get_gear, set_gear)
+}
+
 const DRIVER: Group = Group::Driver;
 const BODY: Group = Group::Body;
 
@@ -129,16 +133,6 @@ pub(crate) const CONTROLS: &[Control] = &[
         set_target,
     )
     .free(),
-    Control::new(
-        "driver.gear",
-        ["挡位", "Gear"],
-        DRIVER,
-        Takes::Choice(GEARS.split_at(3).0),
-        get_gear,
-        set_gear,
-    )
-    .on(WITHOUT_PARK),
-    Control::new("driver.gear", ["挡位", "Gear"], DRIVER, Takes::Choice(GEARS), get_gear, set_gear).on(CAR),
     Control::new(
         "driver.accelerator",
         ["加速踏板", "Accelerator"],
@@ -187,7 +181,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| flag(world.driver.cruise),
         |world, setting| world.driver.cruise = is_on(setting),
     )
-    .on(CAR),
+    .optional(),
     Control::new(
         "driver.air_conditioning",
         ["空调", "Air conditioning"],
@@ -204,7 +198,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| flag(world.driver.digital_brake),
         |world, setting| world.driver.digital_brake = is_on(setting),
     )
-    .on(BUS),
+    .optional(),
     Control::new(
         "driver.accelerator_fault",
         ["加速踏板故障", "Accelerator sensor broken"],
@@ -213,7 +207,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| flag(world.driver.accelerator_fault),
         |world, setting| world.driver.accelerator_fault = is_on(setting),
     )
-    .on(JIULONG),
+    .optional(),
     Control::new(
         "body.front_door",
         ["前门", "Front door"],

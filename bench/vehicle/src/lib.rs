@@ -1,58 +1,103 @@
 //! The vehicle around the cluster: physics, the rules of all other nodes, their frames.
 //!
 //! A closed loop in virtual time: a driver's settings go in, every frame of every other node comes out at its cycle,
-//! the cluster's own frames go back in. Deterministic: the same settings at the same steps give the same frames. Knows
-//! no bench, no socket and no clock; [`world`] is what is true, [`control`] what a person may change, `wire` what the
-//! documents make of it.
+//! frames of others go back in. Each node knows of the others what it has heard of them ([`inbox`]) and what is physics.
+//! Deterministic: the same settings at the same steps give the same frames. Knows no bench, no socket and no clock;
+//! [`world`] is what is true, [`control`] what a person may change, the folder of each vehicle what its document makes of
+//! it.
 
 #![forbid(unsafe_code)]
 
 pub mod control;
+pub mod inbox;
+pub mod told;
 pub mod world;
 
 mod bms;
+mod bus;
 mod drive;
 mod driver;
+mod fault;
+mod hearing;
 mod parts;
 mod spec;
 mod vcu;
-mod wire;
+mod vehicle;
+
+// One folder per vehicle; its row is in `vehicles!` below.
+mod c5ev;
+mod citybus;
+mod jiulong;
 
 pub use control::{Control, ControlError, Group, Setting, Takes, Word};
 pub use world::World;
 
+use bus::Wire;
 use protocol_core::CanFrame;
 use protocol_core::states::{self, State};
 use protocol_core::vehicle::Node;
-use wire::Wire;
+use vehicle::Definition;
 
 /// Virtual time of one step, in milliseconds.
 pub const STEP_MS: u64 = 10;
 /// The same in seconds, for the physics.
 pub(crate) const STEP_S: f64 = STEP_MS as f64 / 1_000.0;
 
-/// Which of the three vehicles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+/// Makes [`Kind`] out of one row per vehicle: its name here and its folder.
+macro_rules! vehicles {
+    ($($(#[$doc:meta])* $kind:ident => $folder:ident,)+) => {
+        /// Which vehicle.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Kind {
+            $($(#[$doc])* $kind,)+
+        }
+
+        impl Kind {
+            /// Every vehicle.
+            pub const ALL: [Self; [$(Self::$kind),+].len()] = [$(Self::$kind),+];
+
+            /// What its folder gives.
+            pub(crate) const fn definition(self) -> &'static Definition {
+                match self {
+                    $(Self::$kind => &$folder::VEHICLE,)+
+                }
+            }
+        }
+    };
+}
+
+vehicles! {
     /// The city bus.
-    Citybus,
+    Citybus => citybus,
     /// The E66/E7/E8/E10 vans and buses.
-    Jiulong,
+    Jiulong => jiulong,
     /// The car.
-    C5ev,
+    C5ev => c5ev,
 }
 
 impl Kind {
-    /// Every vehicle.
-    pub const ALL: [Self; 3] = [Self::Citybus, Self::Jiulong, Self::C5ev];
-
     /// Returns the name of its folder in `vehicles/`.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Citybus => "citybus",
-            Self::Jiulong => "jiulong",
-            Self::C5ev => "c5ev",
-        }
+        self.definition().name
+    }
+
+    /// What a person may change in it, in the order of the page.
+    pub fn controls(self) -> impl Iterator<Item = &'static Control> {
+        let own = self.definition().controls.own.iter().copied();
+        let has = move |control: &Control| self.definition().controls.has.contains(&control.path);
+        let common = [driver::CONTROLS, vcu::CONTROLS, drive::CONTROLS, bms::CONTROLS, parts::CONTROLS];
+        let common = common.into_iter().flatten().filter(move |control| !control.optional || has(control));
+        common.chain(own.flatten())
+    }
+
+    /// Finds a control by its path.
+    fn control(self, path: &str) -> Result<&'static Control, ControlError> {
+        self.controls().find(|control| control.path == path).ok_or_else(|| {
+            let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
+            let nearest =
+                self.controls().find(|control| last(control.path) == last(path)).map(|control| control.path);
+            ControlError::Unknown { path: path.to_owned(), vehicle: self.name(), nearest }
+        })
     }
 
     /// Returns the vehicle of this name.
@@ -67,7 +112,9 @@ pub enum Cycles {
     /// The cycle on the page of the message.
     #[default]
     Page,
-    /// The slower one of page and overview.
+    /// The cycle in the overview of all messages.
+    Overview,
+    /// The slower one of the two.
     Slow,
 }
 
@@ -141,7 +188,7 @@ impl VirtualVehicle {
     /// Builds a vehicle that stands, keyed on, with a charged battery.
     pub fn new(kind: Kind, options: Options) -> Self {
         let world = World::new(kind, options);
-        Self { wire: Wire::new(kind, options), world }
+        Self { wire: Wire::new(kind.definition(), options), world }
     }
 
     /// Which vehicle it is.
@@ -166,8 +213,7 @@ impl VirtualVehicle {
 
     /// What a person may change in this vehicle.
     pub fn controls(&self) -> impl Iterator<Item = &'static Control> {
-        let kind = self.world.kind;
-        control::all().filter(move |control| control.on.contains(&kind))
+        self.world.kind.controls()
     }
 
     /// Changes one thing; it acts from the next step on.
@@ -175,7 +221,7 @@ impl VirtualVehicle {
     /// # Errors
     /// If there is no such control in this vehicle or the setting is out of its range; the error says what there is.
     pub fn set(&mut self, path: &str, setting: Setting) -> Result<(), ControlError> {
-        let control = control::find(self.world.kind, path)?;
+        let control = self.world.kind.control(path)?;
         control.check(setting)?;
         (control.set)(&mut self.world, setting);
         Ok(())
@@ -183,7 +229,7 @@ impl VirtualVehicle {
 
     /// Returns what is set now; `None` if there is no such control.
     pub fn setting(&self, path: &str) -> Option<Setting> {
-        control::find(self.world.kind, path).ok().map(|control| (control.get)(&self.world))
+        self.world.kind.control(path).ok().map(|control| (control.get)(&self.world))
     }
 
     /// Returns what is true, in the order in which a person would read it.
@@ -196,16 +242,25 @@ impl VirtualVehicle {
         self.readouts().into_iter().find(|readout| readout.path == path)
     }
 
-    /// Lets one step of [`STEP_MS`] pass: physics first, then what each node makes of it, then their frames.
+    /// Lets one step of [`STEP_MS`] pass: what each node has heard, what it makes of it, physics, then their frames.
     pub fn advance(&mut self) {
         let world = &mut self.world;
+        let vehicle = world.kind.definition();
         driver::step(world);
+        hearing::step(world, vehicle);
         vcu::step(world);
         bms::step(world);
         parts::step(world);
         drive::step(world);
-        self.wire.step(world);
+        self.wire.step(world, vehicle);
+        World::count(&mut world.meter.silent_ms);
         world.now_ms += STEP_MS;
+    }
+
+    /// From now on the nodes hear one another over a bus: what they send on it reaches them when [`Self::receive`] brings
+    /// it back, and not before. Without, they hear one another at once.
+    pub fn over_a_bus(&mut self) {
+        self.wire.over_a_bus();
     }
 
     /// Takes the frames that became ready in the last step, earliest first.
@@ -213,8 +268,28 @@ impl VirtualVehicle {
         self.wire.take()
     }
 
-    /// Hears a frame of the cluster; what it says acts from the next step on.
+    /// Brings a frame that is on the bus, the cluster's or anybody's, to every node that listens to it; what it says acts
+    /// from the next step on.
     pub fn receive(&mut self, frame: &CanFrame) {
-        self.wire.receive(&mut self.world, frame);
+        if !self.world.links.cut[Node::Cluster as usize] {
+            let vehicle = self.world.kind.definition();
+            hearing::deliver(&mut self.world, vehicle, frame);
+        }
     }
 }
+
+impl World {
+    /// A vehicle that stands, keyed on, in mild weather.
+    pub fn new(kind: Kind, options: Options) -> Self {
+        let vehicle = kind.definition();
+        let mut world = Self::bare(kind, vehicle.spec, options);
+        bms::build(&mut world);
+        parts::build(&mut world);
+        vcu::build(&mut world);
+        hearing::build(&mut world, vehicle);
+        world
+    }
+}
+
+#[cfg(test)]
+mod apart;

@@ -1,12 +1,12 @@
-//! The three vehicles as figures: one row each.
+//! A vehicle as figures: masses, forces, powers, voltages, its battery, and which of the common behaviours it has.
 //!
-//! Masses, forces, powers and voltages that physics and the vehicle controller need. The documents print none of them:
-//! they are what vehicles of these classes have. The cells are the battery's own table.
+//! What physics and controllers need; the figures are each vehicle's `spec`.
 
-use crate::Kind;
-use crate::world::Gear;
+use crate::fault::{ExtremeRow, Row};
+use protocol_core::states::Gear;
 
 /// Figures of one vehicle.
+#[derive(Debug, PartialEq)]
 pub(crate) struct Spec {
     /// Mass with some passengers, in kg.
     pub(crate) mass_kg: f64,
@@ -58,6 +58,32 @@ pub(crate) struct Spec {
     pub(crate) joules_per_metre: f64,
     /// What the lever has, in the order of [`Gear`]'s words on the page.
     pub(crate) gears: &'static [Gear],
+    /// Brakes by air.
+    pub(crate) has_air: bool,
+    /// Has a brake vacuum that its pump holds, too.
+    pub(crate) has_vacuum: bool,
+    /// The vehicle controller sounds a buzzer in the cluster (C5-R014).
+    pub(crate) has_buzzer: bool,
+    /// The vehicle controller forwards the battery's codes with its own (BUS-R072).
+    pub(crate) forwards_battery: bool,
+    /// High voltage is asked for while it charges, for converter and air conditioning (BUS-R030).
+    pub(crate) serves_charging: bool,
+    /// Share of the top speed that an ordinary fault leaves.
+    pub(crate) derated_top: f64,
+    /// Cells in one box of the battery.
+    pub(crate) cells_per_box: usize,
+    /// Protection bits of a winding and a controller that are too hot and of a motor that is too fast.
+    pub(crate) protections: [u32; 3],
+    /// The battery and the charger on board.
+    pub(crate) battery: Battery,
+    /// Fault table of the battery controller.
+    pub(crate) faults: &'static [Row],
+    /// Faults on which it asks for high voltage to be opened.
+    pub(crate) extremes: &'static [ExtremeRow],
+    /// Code of the fire alarm.
+    pub(crate) fire_code: Option<u8>,
+    /// Code of the fault whose severity is reported apart.
+    pub(crate) apart: Option<u8>,
 }
 
 impl Spec {
@@ -114,95 +140,38 @@ impl Spec {
     }
 }
 
-/// Returns the figures of a vehicle.
-pub(crate) fn of(kind: Kind) -> &'static Spec {
-    match kind {
-        Kind::Citybus => &BUS,
-        Kind::Jiulong => &JIULONG,
-        Kind::C5ev => &C5EV,
-    }
+/// Sizes of a battery and of the charger on board.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Battery {
+    /// Cells in series.
+    pub(crate) cells: u16,
+    /// Temperature probes.
+    pub(crate) probes: u16,
+    /// Rated capacity in Ah.
+    pub(crate) capacity_ah: f64,
+    /// Resistance of one cell in ohm.
+    pub(crate) cell_ohm: f64,
+    /// Heat capacity of the whole pack in J/K.
+    pub(crate) joules_per_kelvin: f64,
+    /// Heat lost to the air in W per kelvin.
+    pub(crate) watts_per_kelvin: f64,
+    /// Heater in the pack in W.
+    pub(crate) heater_watts: f64,
+    /// Largest discharge current in A.
+    pub(crate) discharge_amps: f64,
+    /// Largest charge current in A, regeneration included.
+    pub(crate) charge_amps: f64,
+    /// Capacitors of the high-voltage link in F.
+    pub(crate) link_farad: f64,
+    /// Precharge resistor in ohm.
+    pub(crate) precharge_ohm: f64,
+    /// Largest current of the charger in A.
+    pub(crate) charger_amps: f64,
+    /// External charging goes through relays of its own and not through the main contactor.
+    pub(crate) own_charge_relays: bool,
+    /// Measures the voltage of the link itself; else it is told by the vehicle controller (BUS-R036).
+    pub(crate) measures_link: bool,
+    /// Sends the charger thresholds by which it judges, and keeps its main contactor open without a charger (C5-R005,
+    /// R009).
+    pub(crate) bounds_the_charger: bool,
 }
-
-const BUS: Spec = Spec {
-    mass_kg: 13_000.0,
-    rotating: 1.05,
-    drag: 2.9,
-    rolling: 0.008,
-    wheel_m: 0.48,
-    ratio: 5.5,
-    max_nm: 2_500.0,
-    max_watts: 150_000.0,
-    regeneration_watts: 110_000.0,
-    idle_watts: 300.0,
-    top_kmh: 80.0,
-    top_reverse_kmh: 15.0,
-    brake_newton: 78_000.0,
-    coast: 0.4,
-    limp_watts: 30_000.0,
-    link_volts: 540.0,
-    low_volts: 24.0,
-    low_watts: 900.0,
-    low_ah: 180.0,
-    steering_watts: 2_200.0,
-    compressor_watts: 3_000.0,
-    hvac_watts: 9_000.0,
-    cabin: 400_000.0,
-    joules_per_metre: 3_200.0,
-    gears: &[Gear::N, Gear::D, Gear::R],
-};
-
-const JIULONG: Spec = Spec {
-    mass_kg: 4_000.0,
-    rotating: 1.05,
-    drag: 1.2,
-    rolling: 0.010,
-    wheel_m: 0.35,
-    ratio: 8.0,
-    max_nm: 350.0,
-    max_watts: 80_000.0,
-    regeneration_watts: 50_000.0,
-    idle_watts: 150.0,
-    top_kmh: 100.0,
-    top_reverse_kmh: 20.0,
-    brake_newton: 28_000.0,
-    coast: 0.5,
-    limp_watts: 18_000.0,
-    link_volts: 320.0,
-    low_volts: 12.0,
-    low_watts: 350.0,
-    low_ah: 100.0,
-    steering_watts: 600.0,
-    compressor_watts: 500.0,
-    hvac_watts: 3_500.0,
-    cabin: 120_000.0,
-    joules_per_metre: 1_000.0,
-    gears: &[Gear::N, Gear::D, Gear::R],
-};
-
-const C5EV: Spec = Spec {
-    mass_kg: 1_200.0,
-    rotating: 1.05,
-    drag: 0.42,
-    rolling: 0.011,
-    wheel_m: 0.29,
-    ratio: 8.3,
-    max_nm: 160.0,
-    max_watts: 45_000.0,
-    regeneration_watts: 20_000.0,
-    idle_watts: 80.0,
-    top_kmh: 120.0,
-    top_reverse_kmh: 20.0,
-    brake_newton: 9_600.0,
-    coast: 0.6,
-    limp_watts: 10_000.0,
-    link_volts: 320.0,
-    low_volts: 12.0,
-    low_watts: 220.0,
-    low_ah: 45.0,
-    steering_watts: 250.0,
-    compressor_watts: 0.0,
-    hvac_watts: 1_800.0,
-    cabin: 60_000.0,
-    joules_per_metre: 420.0,
-    gears: &[Gear::N, Gear::D, Gear::R, Gear::P],
-};

@@ -1,13 +1,22 @@
 //! What is true in the vehicle at one moment.
 //!
-//! One struct per thing that exists; the modules that own its behaviour change it, everyone may read it. Physical
-//! units in the names; the `wire` module alone knows what raw value that is on the bus. An `Option` called `forced_...` or
-//! `*_override` is a setting of a person that physics leaves alone.
+//! One struct per thing that exists: physics (driver, road, motion, cells, contacts, supply, air) and the memory of each
+//! node (vehicle controller, battery controller, motor controller, parts, charger). A node reads physics and its own
+//! memory; of another node it knows what it heard ([`Links::inboxes`]). Physical units in the names; the tables of the
+//! bus alone know what raw value that is. An `Option` called `forced_...` or `*_override` is a setting of a person that
+//! physics leaves alone.
 
+use crate::inbox::Inbox;
+use crate::spec::Spec;
+use crate::told::{
+    BatteryCommand, BatteryReport, ChargeOrder, ChargerReport, ConverterCommand, HvacOrder, MotorCommand,
+    MotorReport, PartsReport, PumpCommand, Unprinted,
+};
 use crate::{Kind, Options, STEP_MS};
 use protocol_core::model::Severity;
 use protocol_core::vehicle::Node;
 
+pub use crate::told::ChargerBounds;
 pub use protocol_core::states::{Charge, Gear, Key};
 
 /// Nodes that a bus can have.
@@ -93,7 +102,9 @@ pub struct Motor {
     pub rpm: f64,
     /// Torque in Nm, negative = regeneration while going forwards.
     pub nm: f64,
-    /// Torque that the vehicle controller asks for, in Nm.
+    /// What the motor controller heard that it is to do; `None` = nothing that is still valid.
+    pub heard: Option<MotorCommand>,
+    /// Torque that it follows, in Nm.
     pub wanted_nm: f64,
     /// Electrical power in W, positive = out of the battery.
     pub watts: f64,
@@ -277,6 +288,22 @@ pub struct Bms {
     pub charger_enabled: bool,
     /// The charger has been heard since the plug went in.
     pub charger_heard: bool,
+    /// What it heard of the charger.
+    pub charger: ChargerReport,
+    /// For how long it has not heard the plugged charger, in milliseconds.
+    pub charger_silence_ms: u64,
+    /// What it heard of the vehicle controller.
+    pub vcu: BatteryCommand,
+    /// For how long it has not heard a command of the vehicle controller, in milliseconds.
+    pub vcu_silence_ms: u64,
+    /// Current limits without the halving for a current over them.
+    pub limits: Limits,
+    /// The same as they were in the last two frames that told them, the later one first; `None` = not yet told.
+    pub sent_limits: [Option<Limits>; 2],
+    /// Main negative has not followed its coil since high voltage was asked for.
+    pub negative_failed: bool,
+    /// A fault keeps open what is open (interlock, fire: no driving off).
+    pub forbids_closing: bool,
     /// Milliseconds since the plug went in.
     pub plugged_ms: u64,
     /// Highest cell voltage in V.
@@ -295,6 +322,15 @@ pub struct Bms {
     pub soc_jump_ms: u64,
 }
 
+/// Current limits in A, never negative.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// Into the battery.
+    pub charge_amps: f64,
+    /// Out of the battery.
+    pub discharge_amps: f64,
+}
+
 /// Codes that take turns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Turn {
@@ -311,23 +347,6 @@ pub struct Day {
     pub passed_ms: u64,
     /// Milliseconds of it that the vehicle was driven.
     pub driven_ms: u64,
-}
-
-/// Thresholds that the battery sends to the charger, in V and A.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ChargerBounds {
-    /// Above it the charger warns.
-    pub over_volts_warning: f64,
-    /// Above it the charger stops.
-    pub over_volts_protection: f64,
-    /// Below it the charger warns.
-    pub under_volts_warning: f64,
-    /// Below it the charger stops.
-    pub under_volts_protection: f64,
-    /// Above it the charger warns.
-    pub over_amps_warning: f64,
-    /// Above it the charger stops.
-    pub over_amps_protection: f64,
 }
 
 /// One active fault of the battery controller.
@@ -369,6 +388,8 @@ pub struct BmsDefects {
 /// The vehicle controller.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vcu {
+    /// Key position by wire and by the cluster's message.
+    pub key: Key,
     /// Gear engaged; `None` = not known.
     pub gear: Option<Gear>,
     /// The last gear request was refused.
@@ -387,12 +408,20 @@ pub struct Vcu {
     pub torque_limited: bool,
     /// Regeneration is allowed.
     pub may_regenerate: bool,
-    /// Worst severity of its own fault list.
+    /// Worst severity of its own faults.
+    pub own_severity: Severity,
+    /// Severity that it reports: the worse of its own and the battery's (BUS-R027, R072).
     pub severity: Severity,
     /// Code sent now, 0 = none.
     pub code: u16,
-    /// Faults by a person: code and severity, up to one per severity and more (BUS-R027, R028).
-    pub faults: Vec<(u16, Severity)>,
+    /// Codes heard of the battery, each with the milliseconds since it was heard.
+    pub battery_codes: Vec<(u16, u64)>,
+    /// Voltage of the link, as the motor controller last told it; `None` = not for too long.
+    pub link_volts: Option<f64>,
+    /// The parking brake is on, by the cluster's word or by wire.
+    pub parking_brake: bool,
+    /// Torque that it asks the motor for, in Nm.
+    pub wanted_nm: f64,
     /// Asks for the buzzer (c5ev).
     pub buzzer: bool,
     /// Steering pump command: run, frequency in Hz (0 = default).
@@ -434,31 +463,27 @@ pub struct Vcu {
     pub set_codes: [[u16; 2]; 3],
     /// By a person: does not answer the battery's request to open high voltage.
     pub ignores_hv_off: bool,
-    /// What it last heard of the battery controller.
+    /// What it last heard of the others.
     pub heard: Heard,
     /// Spans that it watches.
     pub spans: VcuSpans,
 }
 
-/// What the vehicle controller last heard of the battery controller; stands still while that is silent.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// What the vehicle controller last heard; stands still while nothing comes.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Heard {
-    /// The battery asks to open high voltage.
-    pub hv_off_request: bool,
-    /// Largest charge current allowed, in A.
-    pub charge_limit_amps: f64,
-    /// Largest discharge current allowed, in A.
-    pub discharge_limit_amps: f64,
-    /// Pack voltage in V.
-    pub volts: f64,
-    /// State of charge, 0 to 1.
-    pub soc: f64,
-    /// Worst severity of the battery.
-    pub severity: Severity,
-    /// Main contactor conducts (closed or welded, BUS-44).
-    pub main_closed: bool,
-    /// Any charge circuit conducts.
-    pub charge_closed: bool,
+    /// Of the battery.
+    pub battery: BatteryReport,
+    /// For how long a message of the battery that it acts on has not come, in milliseconds: the longest.
+    pub battery_silence_ms: u64,
+    /// The same of the message that says how bad the battery is.
+    pub level_silence_ms: u64,
+    /// Of the motor controller.
+    pub motor: MotorReport,
+    /// For how long the motor controller has not been heard, in milliseconds.
+    pub motor_silence_ms: u64,
+    /// Of the parts.
+    pub parts: PartsReport,
 }
 
 /// Spans that the vehicle controller watches, in milliseconds.
@@ -602,8 +627,10 @@ pub struct Hvac {
     pub stopped: bool,
     /// Electrical power from the high-voltage link in W.
     pub watts: f64,
-    /// What it last heard of the vehicle controller: command, auxiliary battery in V, state of charge 0 to 1.
-    pub heard: (HvacCommand, f64, f64),
+    /// What it last heard of the vehicle controller.
+    pub heard: HvacOrder,
+    /// For how long it has not, in milliseconds.
+    pub silence_ms: u64,
     /// Milliseconds since it has been permitted to start.
     pub permitted_ms: u64,
     /// Milliseconds since a reset began.
@@ -669,6 +696,10 @@ pub struct Charger {
     pub reversed: bool,
     /// Is made for another battery, by a person (jiulong).
     pub mismatched: bool,
+    /// What it last heard of the battery.
+    pub heard: ChargeOrder,
+    /// For how long it has not, in milliseconds.
+    pub silence_ms: u64,
     /// Has lost the battery's frames (C5-R007).
     pub communication_fault: bool,
     /// Input voltage is wrong (BUS-R153, JL-R028, C5-R010).
@@ -710,9 +741,39 @@ pub struct ChargerTrips {
     pub over_amps_data: bool,
 }
 
-/// What the cluster says of itself.
+/// What steering pump, compressor and converter last heard of the vehicle controller.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PartsHeard {
+    /// Steering pump; `None` = nothing that is still valid.
+    pub steering: Option<PumpCommand>,
+    /// Compressor; `None` = nothing that is still valid.
+    pub compressor: Option<PumpCommand>,
+    /// Converter.
+    pub converter: ConverterCommand,
+}
+
+/// Relays of the contactor box as it last heard their commands over the bus.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ContactorBox {
+    /// Motor.
+    pub motor: bool,
+    /// Motor precharge.
+    pub precharge: bool,
+    /// Accessories.
+    pub accessory: bool,
+    /// Accessory precharge.
+    pub accessory_precharge: bool,
+    /// Defroster.
+    pub defrost: bool,
+}
+
+/// What the vehicle controller heard of the cluster.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Meter {
+    /// Key position; `None` = not said.
+    pub key: Option<Key>,
+    /// A passenger door is open.
+    pub door_open: bool,
     /// The driver has left the seat (BUS-R129).
     pub seat_left: bool,
     /// Parking brake as the cluster reports it.
@@ -721,36 +782,31 @@ pub struct Meter {
     pub odometer_km: Option<f64>,
     /// Remote upgrade is forbidden (JL-R031).
     pub upgrade_forbidden: Option<bool>,
-    /// Milliseconds since the cluster's last frame; large before the first.
+    /// Milliseconds since the cluster's last frame that says so; large before the first.
     pub silent_ms: u64,
     /// Frames heard.
     pub frames: u64,
 }
 
-/// Who hears whom.
+/// Who hears what.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Links {
     /// By a person: this node is cut off the bus.
     pub cut: [bool; NODE_COUNT],
-    /// Milliseconds since node `to` heard node `from`: `silence_ms[to][from]`.
-    pub silence_ms: [[u64; NODE_COUNT]; NODE_COUNT],
     /// By a person: messages that are no longer sent, by name.
     pub lost: Vec<&'static str>,
-    /// Milliseconds since each message went out, by name; missing = never.
-    pub message_silence_ms: Vec<(&'static str, u64)>,
     /// By a person: life counters of this node stand still.
     pub frozen: [bool; NODE_COUNT],
+    /// What has reached each node, by its number.
+    pub inboxes: [Inbox; NODE_COUNT],
+    /// What they say in messages that no document prints.
+    pub unprinted: Unprinted,
 }
 
 impl Links {
-    /// Returns how long `to` has not heard from `from`, in milliseconds.
-    pub fn silence_ms(&self, to: Node, from: Node) -> u64 {
-        self.silence_ms[to as usize][from as usize]
-    }
-
-    /// Returns how long message `name` has not been on the bus, in milliseconds.
-    pub fn message_silence_ms(&self, name: &str) -> u64 {
-        self.message_silence_ms.iter().find(|(message, _)| *message == name).map_or(u64::MAX, |(_, ms)| *ms)
+    /// Returns what has reached a node.
+    pub fn inbox(&self, node: Node) -> &Inbox {
+        &self.inboxes[node as usize]
     }
 }
 
@@ -759,6 +815,8 @@ impl Links {
 pub struct World {
     /// Which vehicle.
     pub kind: Kind,
+    /// Its figures.
+    pub(crate) spec: &'static Spec,
     /// How it was built.
     pub options: Options,
     /// Milliseconds since start.
@@ -785,6 +843,10 @@ pub struct World {
     pub compressor: Part,
     /// DC/DC converter.
     pub dcdc: Part,
+    /// What the parts heard.
+    pub parts_heard: PartsHeard,
+    /// Contactor box.
+    pub contactor_box: ContactorBox,
     /// Low-voltage supply.
     pub supply: Supply,
     /// Brake air.
@@ -804,10 +866,11 @@ pub struct World {
 }
 
 impl World {
-    /// A vehicle that stands, keyed on, in mild weather.
-    pub fn new(kind: Kind, options: Options) -> Self {
-        let mut world = Self {
+    /// A vehicle that stands, keyed on, in mild weather; battery and parts are still to be fitted.
+    pub(crate) fn bare(kind: Kind, spec: &'static Spec, options: Options) -> Self {
+        Self {
             kind,
+            spec,
             options,
             now_ms: 0,
             driver: Driver { key: Key::On, ..Driver::default() },
@@ -817,6 +880,7 @@ impl World {
             motor: Motor {
                 rpm: 0.0,
                 nm: 0.0,
+                heard: None,
                 wanted_nm: 0.0,
                 watts: 0.0,
                 link_volts: 0.0,
@@ -839,6 +903,8 @@ impl World {
             steering: Part { celsius: 25.0, ..Part::default() },
             compressor: Part { celsius: 25.0, ..Part::default() },
             dcdc: Part { celsius: 25.0, ..Part::default() },
+            parts_heard: PartsHeard::default(),
+            contactor_box: ContactorBox::default(),
             supply: Supply { volts: 0.0, volts_override: None, charge: 0.8, load_amps: 0.0 },
             air: Air {
                 front_mpa: 0.75,
@@ -862,11 +928,7 @@ impl World {
             meter: Meter { silent_ms: u64::MAX / 2, ..Meter::default() },
             links: Links::default(),
             energy: Energy::default(),
-        };
-        crate::bms::build(&mut world);
-        crate::parts::build(&mut world);
-        crate::vcu::build(&mut world);
-        world
+        }
     }
 
     /// Nodes are awake: the key is beyond accessories, or a plug is inserted.

@@ -2,17 +2,15 @@
 //!
 //! Owns `World::charger`, the charging state and the day count between charges. Constant current up to a voltage of the
 //! highest cell, then constant voltage until the current has gone down. Refuses to lay out frames. Source: BUS-R030,
-//! R037, R084, R113, R114, R147 to R154, JL-R027 to R030, C5-R004 to R011. The bus's charger sits on a bus of its own
-//! (BUS-R011), so there silence is counted from the cut link and not from frames.
+//! R037, R084, R113, R114, R147 to R154, JL-R027 to R030, C5-R004 to R011. Battery and charger know of each other what
+//! their frames say; on the bus those travel on a bus of their own (BUS-R011).
 
 use super::contactors::{Wish, conducts};
 use super::pack::Load;
-use super::spec::spec;
 use super::{SILENCE_MS, count_while};
 use crate::world::{Charge, ChargerBounds, ChargerTrips, Turn, World};
-use crate::{Kind, STEP_MS, STEP_S};
+use crate::{STEP_MS, STEP_S};
 use protocol_core::model::Severity::{self, Derate, Stop, Warn};
-use protocol_core::vehicle::Node;
 
 /// The highest cell is charged up to this voltage and held there.
 const FULL_CELL_VOLTS: f64 = 3.50;
@@ -57,12 +55,12 @@ fn severity_of(code: u8) -> Severity {
 
 /// Fits the charger to the vehicle.
 pub(super) fn build(world: &mut World) {
-    world.charger.max_amps = spec(world.kind).charger_amps;
+    world.charger.max_amps = world.spec.battery.charger_amps;
 }
 
 fn charge_path_is_closed(world: &World) -> bool {
     let bms = &world.bms;
-    if spec(world.kind).own_charge_relays {
+    if world.spec.battery.own_charge_relays {
         conducts(&bms.charge_1) || conducts(&bms.charge_2)
     } else {
         world.hv_connected()
@@ -78,39 +76,30 @@ pub(super) fn load(world: &mut World, precharge_amps: f64) -> Load {
     if !charge_path_is_closed(world) {
         world.charger.amps = 0.0;
     }
-    let heater_watts = if conducts(&world.bms.heater) { spec(world.kind).heater_watts } else { 0.0 };
+    let heater_watts = if conducts(&world.bms.heater) { world.spec.battery.heater_watts } else { 0.0 };
     let link = if world.hv_connected() { world.load_watts() } else { 0.0 };
     Load { watts: link + heater_watts, amps: precharge_amps - world.charger.amps, heater_watts }
 }
 
 /// The battery has not heard the charger for too long (C5-R005).
 fn charger_is_lost(world: &World) -> bool {
-    world.charger.plugged && world.links.silence_ms(Node::Bms, Node::Charger) >= SILENCE_MS
+    world.charger.plugged && world.bms.charger_silence_ms >= SILENCE_MS
 }
 
 /// The charger has not heard what it is to do for too long (C5-R007).
 fn battery_is_lost(world: &World) -> bool {
-    let order_ms = match world.kind {
-        Kind::Citybus => world.links.message_silence_ms("ChargerRx"),
-        Kind::C5ev => world.links.message_silence_ms("ChargerControl"),
-        Kind::Jiulong => 0,
-    };
-    let never_due = order_ms == u64::MAX;
-    let node_ms = world.links.silence_ms(Node::Charger, Node::Bms);
-    world.charger.plugged && (node_ms >= SILENCE_MS || order_ms >= SILENCE_MS && !never_due)
+    world.charger.plugged && world.charger.silence_ms >= SILENCE_MS
 }
 
 /// A silent charger keeps the main relay open though the vehicle asks for it (C5-R005).
 pub(super) fn forbids_high_voltage(world: &World) -> bool {
-    world.kind == Kind::C5ev && charger_is_lost(world)
+    world.spec.battery.bounds_the_charger && charger_is_lost(world)
 }
 
 /// Lets battery and charger decide; returns which circuits are to be closed.
 pub(super) fn step(world: &mut World) -> Wish {
-    let silence_ms = world.links.silence_ms(Node::Bms, Node::Charger);
     let bms = &mut world.bms;
-    // In the step in which the plug goes in, silence is still that of a charger that has nothing to say.
-    bms.charger_heard = world.charger.plugged && (bms.charger_heard || bms.plugged_ms > 0 && silence_ms == 0);
+    bms.charger_heard = world.charger.plugged && bms.charger.present;
     count_while(world.charger.plugged, &mut bms.plugged_ms);
     let wish = decide(world);
     charger(world);
@@ -121,14 +110,14 @@ pub(super) fn step(world: &mut World) -> Wish {
 
 /// What the battery controller wants.
 fn decide(world: &mut World) -> Wish {
-    let spec = spec(world.kind);
+    let spec = &world.spec.battery;
     let plug = world.charger.plugged && world.charger.mains_volts > 0.0;
-    let pantograph = world.kind == Kind::Citybus && world.charger.pantograph && world.vcu.charge_enable;
+    let pantograph = world.charger.pantograph && world.bms.vcu.charge_enable;
     let closed = charge_path_is_closed(world);
     let charger_lost = charger_is_lost(world);
     let ohm = world.pack.cell_ohm.get(world.bms.cell_max.index).copied().unwrap_or(1.0);
     let bms = &mut world.bms;
-    let charger_fault = plug && (world.charger.severity == Stop || world.charger.trips.is_protection());
+    let charger_fault = plug && bms.charger.stopped;
     let refused = bms.forbids_charging || bms.hv_off_request || bms.isolated;
     bms.charge = match bms.charge {
         _ if !world.charger.plugged && !pantograph => Charge::Idle,
@@ -208,35 +197,35 @@ impl ChargerTrips {
 }
 
 /// The charger itself.
-fn charger(world: &mut World) {
+pub(crate) fn charger(world: &mut World) {
     let plugged = world.charger.plugged;
     let by_pantograph = conducts(&world.bms.charge_2) && !plugged;
     let heard = !battery_is_lost(world);
-    let classified = world.kind == Kind::C5ev && plugged && heard;
+    let bounds = world.charger.heard.bounds.filter(|_| plugged && heard);
     let mains_volts = world.charger.mains_volts;
     let charger = &mut world.charger;
     charger.communication_fault = plugged && !heard;
     charger.input_fault = plugged && mains_volts > 0.0 && !MAINS_VOLTS.contains(&mains_volts);
     charger.start_inhibited = plugged && charger.reversed;
-    charger.trips = if classified {
-        ChargerTrips::classify(&world.bms.charger_bounds, world.pack.volts, charger.amps)
-    } else {
-        ChargerTrips::default()
-    };
+    charger.trips = bounds
+        .map(|bounds| ChargerTrips::classify(&bounds, world.pack.volts, charger.amps))
+        .unwrap_or_default();
     report(charger);
     let plug_delivers = plugged && mains_volts > 0.0 && heard && !charger.trips.is_protection();
-    charger.running =
-        world.bms.charger_enabled && charger.severity < Stop && (plug_delivers || by_pantograph);
+    charger.running = charger.heard.enabled && charger.severity < Stop && (plug_delivers || by_pantograph);
     let most = match (by_pantograph, charger.severity) {
-        (true, _) => spec(world.kind).charge_amps,
+        (true, _) => world.spec.battery.charge_amps,
         (false, Derate) => charger.max_amps * 0.5,
         (false, _) => charger.max_amps,
     };
     let amps = world.charger.amps;
-    let to_volts = amps + (world.bms.wanted_charge.1 - world.pack.terminal_volts) / pack_ohm(world);
-    let wanted = world.bms.wanted_charge.0.min(most).min(to_volts).max(0.0);
+    let order = world.charger.heard;
+    let to_volts = amps + (order.volts - world.pack.terminal_volts) / pack_ohm(world);
+    let wanted = order.amps.min(most).min(to_volts).max(0.0);
+    let is_closed = charge_path_is_closed(world);
     let charger = &mut world.charger;
-    charger.amps = if charger.running { wanted.min(amps + RAMP_AMPS_PER_S * STEP_S) } else { 0.0 };
+    charger.amps =
+        if charger.running && is_closed { wanted.min(amps + RAMP_AMPS_PER_S * STEP_S) } else { 0.0 };
     charger.volts = if charger.running { world.pack.volts } else { 0.0 };
 }
 
@@ -263,7 +252,7 @@ fn complete(world: &mut World) {
     let full = world.bms.cell_max.value >= FULL_CELL_VOLTS - FULL_TOLERANCE_VOLTS;
     let down = world.charger.amps < TAIL_RATE * world.pack.capacity_ah;
     let bms = &mut world.bms;
-    count_while(bms.charge == Charge::Charging && world.charger.running && full && down, &mut bms.tail_ms);
+    count_while(bms.charger_enabled && full && down, &mut bms.tail_ms);
     if bms.tail_ms >= TAIL_MS {
         bms.charge = Charge::Complete;
         bms.charge_interval_days = 0;
@@ -273,7 +262,7 @@ fn complete(world: &mut World) {
 
 /// Counts the day on: one more if it was driven for more than an hour (BUS-R084).
 fn day(world: &mut World) {
-    let drives = world.vcu.ready && world.bms.charge != Charge::Charging;
+    let drives = world.bms.hv_wanted && world.bms.main.closed && !world.charger.plugged;
     let bms = &mut world.bms;
     bms.day.passed_ms += STEP_MS;
     bms.day.driven_ms += if drives { STEP_MS } else { 0 };
@@ -309,8 +298,8 @@ pub(super) fn stop(world: &mut World) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Options;
     use crate::world::Day;
+    use crate::{Kind, Options};
 
     fn next_day(driven_ms: u64, days: u32) -> u32 {
         let mut world = World::new(Kind::Citybus, Options::default());

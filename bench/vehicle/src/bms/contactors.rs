@@ -3,7 +3,6 @@
 //! Owns every switch of the battery and the voltage of the high-voltage link. Refuses to decide whether high voltage
 //! may be closed. Source: BUS-R036, BUS-R068 to R070, C5-R006.
 
-use super::spec::spec;
 use crate::world::{Bms, Contactor, RelayState, World};
 use crate::{STEP_MS, STEP_S};
 
@@ -96,15 +95,16 @@ pub(super) struct Wish {
     pub(super) heater: bool,
 }
 
-/// Drives the coils: negative and precharge first, main when the link has come up.
-pub(super) fn drive(world: &mut World, wish: Wish, link_is_reported: bool) {
+/// Drives the coils: negative and precharge first, main when the link has come up, as its voltage is told.
+pub(super) fn drive(world: &mut World, wish: Wish, link_volts: Option<f64>) {
     let enough = world.pack.terminal_volts * PRECHARGED;
-    let link_volts = world.motor.link_volts;
     let bms = &mut world.bms;
     bms.charge_1.iter_mut().for_each(|relay| relay.drive(wish.charge_1));
     bms.charge_2.iter_mut().for_each(|relay| relay.drive(wish.charge_2));
     bms.heater.iter_mut().for_each(|relay| relay.drive(wish.heater));
     bms.negative.drive(wish.high_voltage && !bms.precharge_failed);
+    bms.negative_failed = wish.high_voltage && (bms.negative_failed || bms.negative.fails_to_close());
+    bms.negative_failed &= !bms.negative.closed;
     if !wish.high_voltage {
         bms.precharged = false;
         bms.precharge_failed = false;
@@ -115,7 +115,7 @@ pub(super) fn drive(world: &mut World, wish: Wish, link_is_reported: bool) {
     }
     if !bms.precharged {
         World::count(&mut bms.precharge_ms);
-        bms.precharged = bms.negative.closed && link_is_reported && link_volts >= enough;
+        bms.precharged = bms.negative.closed && link_volts.is_some_and(|volts| volts >= enough);
         bms.precharge_failed |= !bms.precharged && bms.precharge_ms >= PRECHARGE_LIMIT_MS;
     }
     bms.main.drive(bms.precharged);
@@ -126,7 +126,7 @@ pub(super) fn drive(world: &mut World, wish: Wish, link_is_reported: bool) {
 /// Lets every contact follow its coil, then the link the contacts; returns the current into the link through the
 /// precharge resistor in A. What the last few volts take when the main contact closes is not counted.
 pub(super) fn step(world: &mut World) -> f64 {
-    let spec = spec(world.kind);
+    let spec = &world.spec.battery;
     let bms = &mut world.bms;
     let pairs = bms.charge_1.iter_mut().chain(&mut bms.charge_2).chain(&mut bms.heater);
     for relay in pairs.chain([&mut bms.main, &mut bms.negative, &mut bms.precharge]) {

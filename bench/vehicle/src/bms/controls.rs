@@ -3,18 +3,16 @@
 //! One row per control. Refuses to act: what a setting leads to is in the other modules.
 
 use super::pack;
-use crate::Kind::{self, C5ev, Citybus, Jiulong};
 use crate::control::{Control, Group, Setting, Takes, flag, is_on};
 use crate::world::World;
 
-const EVERY: &[Kind] = &Kind::ALL;
 const VOLTS: Takes = Takes::Number { min: 0.0, max: 5.0, step: 0.01, unit: "V" };
 const CELSIUS: Takes = Takes::Number { min: -40.0, max: 150.0, step: 1.0, unit: "°C" };
 const CODE: Takes = Takes::Number { min: 0.0, max: 255.0, step: 1.0, unit: "" };
 
 /// A switch: on or off, kept in one field.
 macro_rules! switch {
-    ($path:literal, $zh:literal, $en:literal, $group:ident, $on:expr, $($field:tt)+) => {
+    ($path:literal, $zh:literal, $en:literal, $group:ident, $optional:literal, $($field:tt)+) => {
         Control {
             path: $path,
             zh: $zh,
@@ -22,7 +20,7 @@ macro_rules! switch {
             group: Group::$group,
             takes: Takes::Flag,
             free: false,
-            on: $on,
+            optional: $optional,
             get: |world| flag(world.$($field)+),
             set: |world, setting| world.$($field)+ = is_on(setting),
         }
@@ -31,7 +29,7 @@ macro_rules! switch {
 
 /// A value that a person may force or leave to the vehicle.
 macro_rules! forced {
-    ($path:literal, $zh:literal, $en:literal, $group:ident, $on:expr, $takes:expr, $($field:tt)+) => {
+    ($path:literal, $zh:literal, $en:literal, $group:ident, $optional:literal, $takes:expr, $($field:tt)+) => {
         Control {
             path: $path,
             zh: $zh,
@@ -39,7 +37,7 @@ macro_rules! forced {
             group: Group::$group,
             takes: $takes,
             free: true,
-            on: $on,
+            optional: $optional,
             get: |world| world.$($field)+,
             set: |world, setting| world.$($field)+ = setting,
         }
@@ -56,7 +54,7 @@ macro_rules! charger_code {
             group: Group::Charging,
             takes: CODE,
             free: false,
-            on: &[Citybus, Jiulong],
+            optional: true,
             get: |world| Some(f64::from(world.charger.faults[$index])),
             set: |world, setting| world.charger.faults[$index] = setting.unwrap_or_default() as u8,
         }
@@ -77,7 +75,7 @@ fn set_mains(world: &mut World, setting: Setting) {
 
 /// Every control of the battery and the plug, in the order of the page.
 pub(crate) const CONTROLS: &[Control] = &[
-    switch!("charge.plug", "充电插头", "Charge plug", Charging, EVERY, charger.plugged),
+    switch!("charge.plug", "充电插头", "Charge plug", Charging, false, charger.plugged),
     Control {
         path: "charge.mains",
         zh: "电网电压",
@@ -85,27 +83,27 @@ pub(crate) const CONTROLS: &[Control] = &[
         group: Group::Charging,
         takes: Takes::Number { min: 0.0, max: 260.0, step: 1.0, unit: "V" },
         free: false,
-        on: EVERY,
+        optional: false,
         get: |world| Some(world.charger.mains_volts),
         set: set_mains,
     },
-    switch!("charge.pantograph", "受电弓", "Pantograph", Charging, &[Citybus], charger.pantograph),
+    switch!("charge.pantograph", "受电弓", "Pantograph", Charging, true, charger.pantograph),
     switch!(
         "charge.charger_fault",
         "充电机故障",
         "Charger hardware fault",
         Charging,
-        EVERY,
+        false,
         charger.hardware_fault
     ),
-    switch!("charge.charger_hot", "充电机过温", "Charger too hot", Charging, EVERY, charger.over_temperature),
-    switch!("charge.reversed", "电池反接", "Battery reversed", Charging, EVERY, charger.reversed),
+    switch!("charge.charger_hot", "充电机过温", "Charger too hot", Charging, false, charger.over_temperature),
+    switch!("charge.reversed", "电池反接", "Battery reversed", Charging, false, charger.reversed),
     switch!(
         "charge.mismatched",
         "充电机与电池不匹配",
         "Charger for another battery",
         Charging,
-        &[Jiulong],
+        true,
         charger.mismatched
     ),
     charger_code!("charge.fault_code_1", "充电机故障码1", "Charger fault code 1", 0),
@@ -116,7 +114,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "告警保护值颠倒",
         "Warning and protection exchanged",
         Charging,
-        &[C5ev],
+        true,
         bms.defects.bounds_exchanged
     ),
     forced!(
@@ -124,7 +122,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电座温度",
         "Charge socket",
         Charging,
-        &[Citybus],
+        true,
         CELSIUS,
         bms.defects.socket_celsius
     ),
@@ -135,7 +133,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         group: Group::Battery,
         takes: Takes::Number { min: 0.0, max: 100.0, step: 0.5, unit: "%" },
         free: false,
-        on: EVERY,
+        optional: false,
         get: |world| Some(world.pack.soc * 100.0),
         set: set_soc,
     },
@@ -144,7 +142,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "最高单体电压",
         "Highest cell",
         Battery,
-        EVERY,
+        false,
         VOLTS,
         pack.highest_volts_override
     ),
@@ -153,18 +151,18 @@ pub(crate) const CONTROLS: &[Control] = &[
         "最低单体电压",
         "Lowest cell",
         Battery,
-        EVERY,
+        false,
         VOLTS,
         pack.lowest_volts_override
     ),
-    forced!("battery.hottest", "最高温度", "Hottest probe", Battery, EVERY, CELSIUS, pack.hottest_override),
-    forced!("battery.coldest", "最低温度", "Coldest probe", Battery, EVERY, CELSIUS, pack.coldest_override),
+    forced!("battery.hottest", "最高温度", "Hottest probe", Battery, false, CELSIUS, pack.hottest_override),
+    forced!("battery.coldest", "最低温度", "Coldest probe", Battery, false, CELSIUS, pack.coldest_override),
     forced!(
         "battery.volts",
         "电池总电压",
         "Pack voltage",
         Battery,
-        EVERY,
+        false,
         Takes::Number { min: 0.0, max: 1_000.0, step: 0.1, unit: "V" },
         pack.volts_override
     ),
@@ -173,7 +171,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "电池总电流",
         "Pack current",
         Battery,
-        EVERY,
+        false,
         Takes::Number { min: -1_000.0, max: 1_000.0, step: 0.1, unit: "A" },
         pack.amps_override
     ),
@@ -184,17 +182,17 @@ pub(crate) const CONTROLS: &[Control] = &[
         group: Group::Battery,
         takes: Takes::Number { min: 0.0, max: 254.0, step: 1.0, unit: "d" },
         free: false,
-        on: &[Citybus],
+        optional: true,
         get: |world| Some(f64::from(world.bms.charge_interval_days)),
         set: set_interval,
     },
-    switch!("battery.main_welded", "主正粘连", "Main contactor welded", Battery, EVERY, bms.main.welded),
+    switch!("battery.main_welded", "主正粘连", "Main contactor welded", Battery, false, bms.main.welded),
     switch!(
         "battery.main_stuck",
         "主正不闭合",
         "Main contactor stuck open",
         Battery,
-        EVERY,
+        false,
         bms.main.stuck_open
     ),
     switch!(
@@ -202,7 +200,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "主正接触器故障",
         "Main contactor fault",
         Battery,
-        &[Citybus],
+        true,
         bms.defects.main_contactor
     ),
     switch!(
@@ -210,7 +208,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "主负粘连",
         "Negative contactor welded",
         Battery,
-        &[Jiulong, C5ev],
+        true,
         bms.negative.welded
     ),
     switch!(
@@ -218,7 +216,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "主负不闭合",
         "Negative contactor stuck open",
         Battery,
-        &[Jiulong, C5ev],
+        true,
         bms.negative.stuck_open
     ),
     switch!(
@@ -226,7 +224,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "预充不闭合",
         "Precharge stuck open",
         Battery,
-        EVERY,
+        false,
         bms.precharge.stuck_open
     ),
     switch!(
@@ -234,7 +232,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1粘连",
         "Charge 1, relay A welded",
         Battery,
-        &[Citybus],
+        true,
         bms.charge_1[0].welded
     ),
     switch!(
@@ -242,7 +240,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1B粘连",
         "Charge 1, relay B welded",
         Battery,
-        &[Citybus],
+        true,
         bms.charge_1[1].welded
     ),
     switch!(
@@ -250,7 +248,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1不闭合",
         "Charge 1, relay A stuck",
         Battery,
-        &[Citybus],
+        true,
         bms.charge_1[0].stuck_open
     ),
     switch!(
@@ -258,7 +256,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电1B不闭合",
         "Charge 1, relay B stuck",
         Battery,
-        &[Citybus],
+        true,
         bms.charge_1[1].stuck_open
     ),
     switch!(
@@ -266,7 +264,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电2粘连",
         "Charge 2, relay A welded",
         Battery,
-        &[Citybus],
+        true,
         bms.charge_2[0].welded
     ),
     switch!(
@@ -274,7 +272,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "充电2B粘连",
         "Charge 2, relay B welded",
         Battery,
-        &[Citybus],
+        true,
         bms.charge_2[1].welded
     ),
     switch!(
@@ -282,7 +280,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         "加热粘连",
         "Heater, relay A welded",
         Battery,
-        &[Citybus],
+        true,
         bms.heater[0].welded
     ),
     switch!(
@@ -290,23 +288,16 @@ pub(crate) const CONTROLS: &[Control] = &[
         "加热B粘连",
         "Heater, relay B welded",
         Battery,
-        &[Citybus],
+        true,
         bms.heater[1].welded
     ),
-    switch!(
-        "battery.interlock",
-        "高压互锁断开",
-        "Interlock open",
-        Battery,
-        &[Citybus, C5ev],
-        bms.defects.interlock_open
-    ),
+    switch!("battery.interlock", "高压互锁断开", "Interlock open", Battery, true, bms.defects.interlock_open),
     switch!(
         "battery.current_sensor",
         "电流传感器故障",
         "Current sensor broken",
         Battery,
-        &[Citybus, C5ev],
+        true,
         bms.defects.current_sensor
     ),
     switch!(
@@ -314,17 +305,10 @@ pub(crate) const CONTROLS: &[Control] = &[
         "BMS内部通讯故障",
         "Internal bus lost",
         Battery,
-        EVERY,
+        false,
         bms.defects.internal_bus
     ),
-    switch!(
-        "battery.negative_cut",
-        "切断主负",
-        "Main negative cut",
-        Battery,
-        &[Jiulong],
-        bms.defects.negative_cut
-    ),
+    switch!("battery.negative_cut", "切断主负", "Main negative cut", Battery, true, bms.defects.negative_cut),
     Control {
         path: "battery.soc_error",
         zh: "电量计误差",
@@ -332,17 +316,17 @@ pub(crate) const CONTROLS: &[Control] = &[
         group: Group::Battery,
         takes: Takes::Number { min: -100.0, max: 100.0, step: 0.5, unit: "%" },
         free: false,
-        on: &[Jiulong],
+        optional: true,
         get: |world| Some(world.bms.defects.soc_error * 100.0),
         set: |world, setting| world.bms.defects.soc_error = setting.unwrap_or_default() / 100.0,
     },
-    switch!("battery.smoke", "电池烟雾报警", "Battery smoke alarm", Battery, &[Jiulong], bms.defects.smoke),
+    switch!("battery.smoke", "电池烟雾报警", "Battery smoke alarm", Battery, true, bms.defects.smoke),
     switch!(
         "battery.smoke_detector",
         "烟雾探测器故障",
         "Smoke detector broken",
         Battery,
-        &[Jiulong],
+        true,
         bms.defects.smoke_detector
     ),
 ];

@@ -8,17 +8,17 @@
 mod charging;
 mod contactors;
 mod controls;
-mod faults;
 mod limits;
 mod monitor;
 mod pack;
-mod spec;
 
+#[cfg(test)]
+pub(crate) use charging::charger as charger_step;
 pub(crate) use controls::CONTROLS;
+pub(crate) use limits::sent as limits_sent;
 
+use crate::STEP_MS;
 use crate::world::{Key, World};
-use crate::{Kind, STEP_MS};
-use protocol_core::vehicle::Node;
 
 /// Silence of another node that counts as lost communication: fault 18 (BUS-R115), C5-R005, C5-R007.
 const SILENCE_MS: u64 = 5_000;
@@ -47,32 +47,29 @@ pub(crate) fn step(world: &mut World) {
     monitor::hv_off(world);
     limits::step(world, &allowed);
     let mut wish = charging::step(world);
-    let heard = command_silence_ms(world);
-    if heard < COMMAND_MS {
-        world.bms.hv_wanted = world.vcu.hv_command;
+    let silence_ms = world.bms.vcu_silence_ms;
+    if silence_ms < COMMAND_MS {
+        world.bms.hv_wanted = world.bms.vcu.high_voltage;
     }
     world.bms.hv_wanted &= world.driver.key >= Key::On;
     wish.high_voltage |= world.bms.hv_wanted;
-    if world.bms.isolated || world.bms.defects.negative_cut || charging::forbids_high_voltage(world) {
+    let is_refused = world.bms.isolated || world.bms.defects.negative_cut || stays_open(world);
+    if is_refused || charging::forbids_high_voltage(world) {
         wish = contactors::Wish::default();
     }
-    contactors::drive(world, wish, heard < SILENCE_MS);
+    let told = world.bms.vcu.link_volts.filter(|_| silence_ms < SILENCE_MS);
+    let link_volts = if world.spec.battery.measures_link { Some(world.motor.link_volts) } else { told };
+    contactors::drive(world, wish, link_volts);
 }
 
-/// Returns for how long nobody has told what high voltage is to do, in milliseconds: on the bus VCU3 says so, and brings
-/// the link voltage by which the main contactor is closed (BUS-R036).
-fn command_silence_ms(world: &World) -> u64 {
-    let node_ms = world.links.silence_ms(Node::Bms, Node::Vcu);
-    match (world.kind, world.links.message_silence_ms("VCU3")) {
-        // Before the first step there are no messages: nobody is missed yet.
-        (Kind::Citybus, ms) if ms < u64::MAX => node_ms.max(ms),
-        _ => node_ms,
-    }
+/// Parked with an open interlock or on fire nobody drives off: what is open stays open (BUS-R112, R117, V-8).
+fn stays_open(world: &World) -> bool {
+    world.bms.forbids_closing && !world.bms.main.driven
 }
 
 /// Power-off: every coil is released and everything forgotten but what is counted; latched faults go, too (BUS-R117).
 fn sleep(world: &mut World) {
-    contactors::drive(world, contactors::Wish::default(), false);
+    contactors::drive(world, contactors::Wish::default(), None);
     monitor::forget(world);
     charging::stop(world);
     limits::step(world, &limits::Allowed::none());

@@ -3,12 +3,11 @@
 //! One engine for all three tables. Refuses to know a fault by its number. Source: BUS-R065, R066, R073 to R079, R085 to
 //! R117; BUS-32 (only codes of the highest level), BUS-33 (each for 1 s), BUS-68 (5 s is the vehicle's, 35 s ours).
 
-use super::faults::{EXTREMES, FIRE_CODE, INSULATION_BIT, Quantity, Request, When, table};
 use super::limits::{self, Allowed};
+use crate::STEP_MS;
+use crate::fault::{Quantity, Request, When, round};
 use crate::world::{ActiveFault, Key, Turn, World};
-use crate::{Kind, STEP_MS};
 use protocol_core::model::Severity;
-use protocol_core::vehicle::Node;
 
 /// Each of several codes is sent for so long (BUS-33).
 const TURN_MS: u64 = 1_000;
@@ -22,11 +21,6 @@ const SOC_JUMP: f64 = 0.05;
 const SOC_JUMP_MS: u64 = 10_000;
 /// More than any threshold in percent: current where none is allowed.
 const BEYOND_PERCENT: f64 = 1_000.0;
-
-/// Rounds to what the measuring boards resolve: thousandths of a volt, degree or percent.
-pub(super) fn round(value: f64) -> f64 {
-    (value * 1_000.0).round() / 1_000.0
-}
 
 impl Turn {
     /// Returns the code to send now: each of `codes` in order, again and again; 0 if there is none.
@@ -71,22 +65,26 @@ fn measure(world: &World, of: Quantity) -> f64 {
         Quantity::Cold => bms.cold.value,
         Quantity::HeatSpread => bms.hot.value - bms.cold.value,
         Quantity::Soc => world.counted_soc() * 100.0,
-        Quantity::DischargePercent => percent(pack.amps, limits::discharge_allowance(world)),
-        Quantity::ChargePercent => percent(-pack.amps, limits::charge_allowance(world)),
+        Quantity::DischargePercent => {
+            limits::obeyed(world).map_or(0.0, |limits| percent(pack.amps, limits.discharge_amps))
+        }
+        Quantity::ChargePercent => {
+            limits::obeyed(world).map_or(0.0, |limits| percent(-pack.amps, limits.charge_amps))
+        }
         Quantity::OhmPerVolt => {
             let kiloohm = world.insulation.positive_kiloohm.min(world.insulation.negative_kiloohm);
             kiloohm * 1_000.0 / pack.volts.max(1.0)
         }
         Quantity::Supply => world.supply.volts_override.unwrap_or(world.supply.volts),
         Quantity::Socket => bms.defects.socket_celsius.unwrap_or(world.road.celsius),
-        Quantity::VcuSilence => world.links.silence_ms(Node::Bms, Node::Vcu) as f64,
+        Quantity::VcuSilence => bms.vcu_silence_ms as f64,
         Quantity::MainContactor => {
             flag(bms.defects.main_contactor || bms.main.fails_to_open() || bms.main.fails_to_close())
         }
         Quantity::MainWelded => flag(bms.main.fails_to_open()),
         Quantity::MainStuck => flag(bms.main.fails_to_close()),
         Quantity::NegativeWelded => flag(bms.negative.fails_to_open()),
-        Quantity::NegativeStuck => flag(bms.negative.fails_to_close()),
+        Quantity::NegativeStuck => flag(bms.negative_failed),
         Quantity::InternalBus => flag(bms.defects.internal_bus),
         Quantity::Interlock => flag(bms.defects.interlock_open),
         Quantity::CurrentSensor => flag(bms.defects.current_sensor),
@@ -110,7 +108,7 @@ fn watch_soc(world: &mut World) {
 /// Walks the table; returns what the active rows leave.
 pub(super) fn step(world: &mut World) -> Allowed {
     watch_soc(world);
-    let rows = table(world.kind);
+    let rows = world.spec.faults;
     let cells = world.pack.cell_volts.len();
     let (charging, cold) = (is_charging(world), is_cold(world));
     let driving = !charging && world.driver.key >= Key::On;
@@ -133,8 +131,9 @@ pub(super) fn step(world: &mut World) -> Allowed {
 
 /// Lists active faults, worst first, and picks the code whose turn it is.
 fn report(world: &mut World) {
-    let rows = table(world.kind);
-    let apart = |code: u8| world.kind == Kind::Jiulong && code == INSULATION_BIT;
+    let rows = world.spec.faults;
+    let spec = world.spec;
+    let apart = |code: u8| spec.apart == Some(code);
     let bms = &mut world.bms;
     bms.active = rows
         .iter()
@@ -154,28 +153,37 @@ fn report(world: &mut World) {
         .map(|fault| fault.code)
         .collect();
     bms.code = bms.turn.next(&codes);
-    bms.fire |= world.kind == Kind::Citybus && bms.active.iter().any(|fault| fault.code == FIRE_CODE);
+    bms.fire |= spec.fire_code.is_some_and(|fire| bms.active.iter().any(|fault| fault.code == fire));
 }
 
 /// Sums up what rows do: of the levels of one fault the strictest acts, different faults each take their share.
 fn allow(world: &mut World, driving: bool) -> Allowed {
-    let rows = table(world.kind);
+    let rows = world.spec.faults;
     let bms = &mut world.bms;
     let mut allowed = Allowed::default();
     bms.forbids_charging = false;
     bms.requests_stop = false;
+    bms.forbids_closing = false;
     for (place, active) in bms.active.iter().enumerate() {
         let row = &rows[active.row];
         allowed.limp |= row.does.request == Request::Limp && driving;
         bms.forbids_charging |= row.does.forbids_charging;
         bms.requests_stop |= row.does.request == Request::Stop;
+        bms.forbids_closing |= row.does.stays_open;
         let same = |other: &&ActiveFault| rows[other.row].fault == row.fault;
         if bms.active[..place].iter().any(|other| same(&other)) {
             continue;
         }
         let levels = || bms.active.iter().filter(same).map(|other| rows[other.row].does);
-        allowed.charge *= levels().map(|does| does.charge).fold(1.0, f64::min);
-        allowed.discharge *= levels().map(|does| does.discharge).fold(1.0, f64::min);
+        let charge = levels().map(|does| does.charge).fold(1.0, f64::min);
+        let discharge = levels().map(|does| does.discharge).fold(1.0, f64::min);
+        if matches!(row.of, Quantity::ChargePercent | Quantity::DischargePercent) {
+            allowed.over_limit.0 *= charge;
+            allowed.over_limit.1 *= discharge;
+        } else {
+            allowed.charge *= charge;
+            allowed.discharge *= discharge;
+        }
     }
     bms.limp = allowed.limp;
     allowed
@@ -185,11 +193,8 @@ fn allow(world: &mut World, driving: bool) -> Allowed {
 ///
 /// Once open it stays so until power-off, whoever opened it: what comes back would be asked to open again at once.
 pub(super) fn hv_off(world: &mut World) {
-    if world.kind != Kind::Citybus {
-        return;
-    }
     let cold = is_cold(world);
-    let extreme = EXTREMES.iter().any(|row| {
+    let extreme = world.spec.extremes.iter().any(|row| {
         let edge = if cold { row.cold } else { row.set };
         edge.is_met(measure(world, row.of), world.pack.cell_volts.len())
     });
@@ -207,6 +212,7 @@ pub(super) fn forget(world: &mut World) {
     let bms = &mut world.bms;
     bms.raised.clear();
     bms.active.clear();
+    bms.sent_limits = [None; 2];
     bms.soc_before = None;
     bms.soc_jump_ms = 0;
     bms.turn = Turn::default();
@@ -217,6 +223,7 @@ pub(super) fn forget(world: &mut World) {
     bms.limp = false;
     bms.forbids_charging = false;
     bms.requests_stop = false;
+    bms.forbids_closing = false;
     bms.isolated = false;
     bms.hv_off_request = false;
     bms.hv_off_ms = 0;

@@ -4,8 +4,8 @@
 //! precharge solved against the string's resistance. Refuses to judge what it finds.
 //! Not supported: polarisation, ageing, self-discharge.
 
-use super::spec::{Spec, spec};
 use crate::STEP_S;
+use crate::spec::Battery;
 use crate::world::{Extreme, World};
 
 /// Open-circuit voltage of a cell over its state of charge, beyond both ends where cells may be forced.
@@ -70,7 +70,7 @@ impl Draw {
 
 /// Builds the string in the size of the vehicle or of its options.
 pub(super) fn build(world: &mut World) {
-    let spec = spec(world.kind);
+    let spec = &world.spec.battery;
     let count = |chosen: u16, usual: u16| usize::from(if chosen == 0 { usual } else { chosen });
     let (cells, probes) = (count(world.options.cells, spec.cells), count(world.options.probes, spec.probes));
     let mut draw = Draw(world.options.seed);
@@ -132,7 +132,7 @@ fn solve(volts: f64, ohm: f64, load: Load) -> f64 {
 
 /// Lets the load act for one step.
 pub(super) fn step(world: &mut World, load: Load) {
-    let spec = spec(world.kind);
+    let spec = &world.spec.battery;
     rest(world);
     let air = world.road.celsius;
     let balancing = world.bms.balancing;
@@ -157,7 +157,7 @@ pub(super) fn step(world: &mut World, load: Load) {
     warm(&mut world.pack, spec, amps * amps * ohm + load.heater_watts, air);
 }
 
-fn warm(pack: &mut crate::world::Pack, spec: &Spec, watts: f64, air: f64) {
+fn warm(pack: &mut crate::world::Pack, spec: &Battery, watts: f64, air: f64) {
     let count = pack.inner_celsius.len().max(1) as f64;
     for (index, probe) in pack.inner_celsius.iter_mut().enumerate() {
         // The middle of a box cools worse than its edge.

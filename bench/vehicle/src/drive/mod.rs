@@ -2,20 +2,20 @@
 //!
 //! Owns [`crate::world::Motion`], [`crate::world::Motor`] and the ledger [`crate::world::Energy`]. Forces are summed
 //! at the wheels and integrated with the mean speed of the step, so that work and kinetic energy agree. Knows no driver
-//! and no rule; what the vehicle controller wants arrives as [`crate::world::Motor::wanted_nm`].
+//! and no rule; what the motor controller was told arrives as [`crate::world::Motor::heard`].
 //!
 //! Not supported: wheel slip, gearbox losses, a motor that generates with its controller off.
 
 mod motor;
 mod readouts;
 
-pub(crate) use motor::severity as motor_severity;
+pub(crate) use motor::STIFFNESS;
 pub(crate) use readouts::readouts;
 
-use crate::control::{Control, Group, Takes, flag, is_on};
-use crate::spec::{self, Spec};
+use crate::STEP_S;
+use crate::control::{Control, Group, Takes, Word, flag, is_on};
+use crate::spec::Spec;
 use crate::world::{Gear, World};
-use crate::{Kind, STEP_S};
 
 /// Gravity in m/s^2.
 const GRAVITY: f64 = 9.81;
@@ -24,7 +24,7 @@ const PARKING: f64 = 0.25;
 
 /// Lets the vehicle move for one step.
 pub(crate) fn step(world: &mut World) {
-    let spec = spec::of(world.kind);
+    let spec = world.spec;
     motor::torque(world, spec);
     let omega = spec.omega(roll(world, spec));
     motor::power(world, spec, omega);
@@ -70,6 +70,7 @@ fn friction_brakes(world: &World, spec: &Spec, speed: f64) -> f64 {
     let electric = -spec.newton(world.motor.nm) * speed.signum();
     let pedal = world.driver.brake * spec.brake_newton;
     let pedal = if speed == 0.0 { pedal } else { (pedal - electric.max(0.0)).max(0.0) };
+    // The pawl of P is pulled by wire.
     let parked = world.driver.parking_brake || world.vcu.gear == Some(Gear::P);
     pedal + if parked { PARKING * spec.mass_kg * GRAVITY } else { 0.0 }
 }
@@ -77,7 +78,7 @@ fn friction_brakes(world: &World, spec: &Spec, speed: f64) -> f64 {
 impl World {
     /// Energy of the moving mass, in J.
     pub fn kinetic_joules(&self) -> f64 {
-        let spec = spec::of(self.kind);
+        let spec = self.spec;
         0.5 * spec.mass_kg * spec.rotating * self.motion.metres_per_s * self.motion.metres_per_s
     }
 }
@@ -120,23 +121,17 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| flag(world.motor.own_bus),
         |world, setting| world.motor.own_bus = is_on(setting),
     )
-    .on(&[Kind::Citybus]),
-    Control::new(
-        "motor.protection",
-        ["电机保护", "Motor protection"],
-        Group::Motor,
-        Takes::Choice(motor::BUS_PROTECTIONS),
-        motor::get_protection,
-        motor::set_protection,
-    )
-    .on(&[Kind::Citybus]),
-    Control::new(
-        "motor.protection",
-        ["电机保护", "Motor protection"],
-        Group::Motor,
-        Takes::Choice(motor::JIULONG_PROTECTIONS),
-        motor::get_protection,
-        motor::set_protection,
-    )
-    .on(&[Kind::Jiulong]),
+    .optional(),
 ];
+
+/// The protection that a person sets, by the vehicle's words.
+pub(crate) const fn protection(words: &'static [Word]) -> Control {
+    Control::new(
+        "motor.protection",
+        ["电机保护", "Motor protection"],
+        Group::Motor,
+        Takes::Choice(words),
+        motor::get_protection,
+        motor::set_protection,
+    )
+}

@@ -4,12 +4,14 @@
 //! of it comes out of the link, whose voltage the battery's module owns: nothing flows while the contactors are open.
 //! Protections from temperature and speed are this module's; the others are set by a person.
 
-use crate::control::{Setting, Word};
+use crate::STEP_S;
+use crate::control::Setting;
 use crate::spec::Spec;
+use crate::told::Hold;
 use crate::world::World;
-use crate::{Kind, STEP_S};
-use protocol_core::model::Severity;
 
+/// Torque that the motor gives in speed mode for each rpm that is missing, in Nm; the vehicle controller knows it.
+pub(crate) const STIFFNESS: f64 = 1.0;
 /// Time from no torque to the largest, in s.
 const FULL_TORQUE_S: f64 = 0.3;
 /// Share of the heat that the windings take; the rest is the controller's.
@@ -24,7 +26,13 @@ pub(crate) const TOO_HOT: (f64, f64) = (150.0, 90.0);
 /// Gives the torque that is wanted, as far and as fast as the motor can.
 pub(super) fn torque(world: &mut World, spec: &Spec) {
     let can = world.hv_connected() && world.motor.fault_code == 0 && world.motor.protections_set == 0;
-    world.motor.running = can && world.vcu.ready;
+    let command = world.motor.heard.filter(|command| can && command.enabled);
+    world.motor.running = command.is_some();
+    world.motor.wanted_nm = match command.map(|command| command.hold) {
+        None => 0.0,
+        Some(Hold::Torque(nm)) => nm.clamp(-spec.max_nm, spec.max_nm),
+        Some(Hold::Speed(rpm)) => (STIFFNESS * (rpm - world.motor.rpm)).clamp(-spec.max_nm, spec.max_nm),
+    };
     world.motor.peak_nm = if world.motor.running {
         spec.driving_nm(spec.max_watts, spec.omega(world.motion.metres_per_s).abs())
     } else {
@@ -82,11 +90,7 @@ pub(super) fn heat(world: &mut World, spec: &Spec) {
     let motor = &mut world.motor;
     motor.celsius = motor.celsius_override.unwrap_or(motor.celsius);
     motor.inverter_celsius = motor.inverter_celsius_override.unwrap_or(motor.inverter_celsius);
-    let bits = match world.kind {
-        Kind::Citybus => [4, 5, 6],
-        Kind::Jiulong => [4, 16, 17],
-        Kind::C5ev => [0, 1, 2],
-    };
+    let bits = spec.protections;
     let seen = [
         motor.celsius > TOO_HOT.0,
         motor.inverter_celsius > TOO_HOT.1,
@@ -94,18 +98,6 @@ pub(super) fn heat(world: &mut World, spec: &Spec) {
     ];
     let own = bits.iter().zip(seen).fold(0, |bits, (bit, is)| bits | u32::from(is) << bit);
     motor.protections = motor.protections_set | own;
-}
-
-/// How bad what the motor controller finds is: it stops for its own fault and for a protection that has tripped, drives
-/// on with less when too hot or too fast, and gives alarm while heat takes torque (JL-R010).
-pub(crate) fn severity(world: &World) -> Severity {
-    let motor = &world.motor;
-    match (motor.fault_code != 0 || motor.protections_set != 0, motor.protections != 0) {
-        (true, _) => Severity::Stop,
-        (false, true) => Severity::Derate,
-        (false, false) if crate::vcu::is_warm(world) => Severity::Warn,
-        (false, false) => Severity::None,
-    }
 }
 
 pub(super) fn get_protection(world: &World) -> Setting {
@@ -121,49 +113,3 @@ pub(super) fn set_protection(world: &mut World, setting: Setting) {
         word => 1 << (word - 1),
     };
 }
-
-const fn word(word: &'static str, zh: &'static str, en: &'static str) -> Word {
-    Word { word, zh, en }
-}
-
-const NONE: Word = word("none", "无", "None");
-
-/// Protections of the bus's IPU1, in its order.
-pub(super) const BUS_PROTECTIONS: &[Word] = &[
-    NONE,
-    word("bus_overcurrent", "母线过流", "Link current too high"),
-    word("position_sensor_fault", "位置传感器故障", "Position sensor"),
-    word("bus_overvoltage", "母线过压", "Link voltage too high"),
-    word("bus_undervoltage", "母线欠压", "Link voltage too low"),
-    word("motor_over_temperature", "电机过温", "Motor too hot"),
-    word("inverter_over_temperature", "控制器过温", "Controller too hot"),
-    word("overspeed", "超速", "Motor too fast"),
-];
-
-/// Protections of the jiulong's VCU3, in its order.
-pub(super) const JIULONG_PROTECTIONS: &[Word] = &[
-    NONE,
-    word("igbt_protection", "IGBT 保护", "IGBT"),
-    word("drive_supply_undervoltage", "驱动电源欠压", "Gate supply too low"),
-    word("bridge_shoot_through", "桥臂直通", "Bridge shoot-through"),
-    word("igbt_over_temperature", "IGBT 过温", "IGBT too hot"),
-    word("motor_over_temperature", "电机过温", "Motor too hot"),
-    word("bus_overcurrent", "母线过流", "Link current too high"),
-    word("phase_overcurrent", "相电流过流", "Phase current too high"),
-    word("control_undervoltage", "控制电源欠压", "Control supply too low"),
-    word("control_reversed", "控制电源反接", "Control supply reversed"),
-    word("control_overvoltage", "控制电源过压", "Control supply too high"),
-    word("dq_overcurrent", "DQ 电流过流", "DQ current too high"),
-    word("bus_undervoltage", "母线欠压", "Link voltage too low"),
-    word("bus_overvoltage", "母线过压", "Link voltage too high"),
-    word("over_torque", "过转矩", "Torque too high"),
-    word("overload", "过载", "Overload"),
-    word("stall", "堵转", "Stalled"),
-    word("driver_over_temperature", "控制器过温", "Controller too hot"),
-    word("overspeed", "超速", "Motor too fast"),
-    word("can_fault", "CAN 故障", "CAN"),
-    word("back_emf", "反电动势", "Back EMF"),
-    word("phase_loss", "缺相", "Phase lost"),
-    word("resolver_fault", "旋变故障", "Resolver"),
-    word("hardware_shutdown", "硬件封锁", "Hardware shutdown"),
-];

@@ -2,8 +2,8 @@
 //!
 //! Not supported: the circuits behind the reservoirs, the dryer.
 
+use crate::STEP_S;
 use crate::world::World;
-use crate::{Kind, STEP_S};
 
 /// Pressure that pressing the pedal to the floor takes from each reservoir, in MPa.
 const PEDAL_MPA: f64 = 0.04;
@@ -26,7 +26,7 @@ const RATED_RPM: f64 = 1_500.0;
 
 /// Uses and restores.
 pub(super) fn step(world: &mut World) {
-    if world.kind == Kind::C5ev {
+    if !world.spec.has_air {
         return;
     }
     let pump = world.compressor.rpm / RATED_RPM;
@@ -39,7 +39,7 @@ pub(super) fn step(world: &mut World) {
     if let Some(mpa) = air.mpa_override {
         (air.front_mpa, air.rear_mpa) = (mpa, mpa);
     }
-    if world.kind == Kind::Jiulong {
+    if world.spec.has_vacuum {
         let change = PUMP_KPA_PER_S * pump * STEP_S - PEDAL_KPA * pressed;
         air.vacuum_kpa = (air.vacuum_kpa + change).clamp(0.0, VACUUM_MAX);
     }

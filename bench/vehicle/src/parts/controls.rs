@@ -1,20 +1,11 @@
 //! What a person may do to the parts.
 
-use crate::Kind;
-use crate::control::{Control, Group, Setting, Takes, Word, flag, is_on};
+use crate::control::{Control, Group, Setting, Takes, Word, flag, is_on, word};
 use crate::world::World;
 
 /// Fault code with four bits on the bus.
 const CODE: Takes = Takes::Number { min: 0.0, max: 15.0, step: 1.0, unit: "" };
-const BUS: &[Kind] = &[Kind::Citybus];
-const JIULONG: &[Kind] = &[Kind::Jiulong];
-const WITH_DCDC: &[Kind] = &[Kind::Citybus, Kind::Jiulong];
-const WITH_AIR: &[Kind] = &[Kind::Citybus, Kind::Jiulong];
 const PARTS: Group = Group::Parts;
-
-const fn word(word: &'static str, zh: &'static str, en: &'static str) -> Word {
-    Word { word, zh, en }
-}
 
 /// Faults of the air conditioning, in the order of its frame.
 const HVAC_FAULTS: &[Word] = &[
@@ -53,7 +44,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| Some(f64::from(world.dcdc.fault_code)),
         |world, setting| world.dcdc.fault_code = setting.unwrap_or_default() as u8,
     )
-    .on(WITH_DCDC),
+    .optional(),
     Control::new(
         "steering.fault_code",
         ["助力故障代码", "Steering fault code"],
@@ -62,7 +53,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| Some(f64::from(world.steering.fault_code)),
         |world, setting| world.steering.fault_code = setting.unwrap_or_default() as u8,
     )
-    .on(BUS),
+    .optional(),
     Control::new(
         "compressor.fault_code",
         ["空压机故障代码", "Air compressor fault code"],
@@ -71,7 +62,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| Some(f64::from(world.compressor.fault_code)),
         |world, setting| world.compressor.fault_code = setting.unwrap_or_default() as u8,
     )
-    .on(WITH_AIR),
+    .optional(),
     Control::new(
         "hvac.fault",
         ["空调故障", "Air conditioning fault"],
@@ -80,7 +71,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         get_hvac_fault,
         set_hvac_fault,
     )
-    .on(BUS),
+    .optional(),
     Control::new(
         "hvac.setpoint",
         ["空调设定温度", "Air conditioning setpoint"],
@@ -114,7 +105,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| Some(f64::from(world.insulation.fault_code)),
         |world, setting| world.insulation.fault_code = setting.unwrap_or_default() as u8,
     )
-    .on(BUS),
+    .optional(),
     Control::new(
         "supply.volts",
         ["低压蓄电池电压", "Auxiliary battery"],
@@ -133,7 +124,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world, setting| world.air.mpa_override = setting,
     )
     .free()
-    .on(WITH_AIR),
+    .optional(),
     Control::new(
         "air.pressure_sensor_fault",
         ["气压传感器故障", "Air pressure sensor broken"],
@@ -142,7 +133,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| flag(world.air.pressure_sensor_fault),
         |world, setting| world.air.pressure_sensor_fault = is_on(setting),
     )
-    .on(JIULONG),
+    .optional(),
     Control::new(
         "air.vacuum_sensor_fault",
         ["真空度传感器故障", "Vacuum sensor broken"],
@@ -151,5 +142,5 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| flag(world.air.vacuum_sensor_fault),
         |world, setting| world.air.vacuum_sensor_fault = is_on(setting),
     )
-    .on(JIULONG),
+    .optional(),
 ];

@@ -1,7 +1,7 @@
 //! The DC/DC converter and the auxiliary battery behind it.
 //!
-//! The converter runs on the start command of the vehicle controller and stands by without (BUS-R048); a threshold of
-//! 0 means its own (BUS-R047). The battery is a voltage that rises with its charge, and gives what the converter does
+//! The converter runs on the start command of the vehicle controller and stands by on the other (BUS-R048); a threshold
+//! of 0 means its own (BUS-R047). The last command holds while none comes (V-6). The battery is a voltage that rises with its charge, and gives what the converter does
 //! not.
 
 use super::take;
@@ -36,10 +36,11 @@ fn rest_volts(world: &World, spec: &Spec) -> f64 {
 /// Lets converter and battery share the load.
 pub(super) fn step(world: &mut World, spec: &Spec) {
     let own = |threshold: f64, own: f64| if threshold > 0.0 { threshold } else { own };
-    let lowest_input = own(world.vcu.dcdc_volts.0, OWN_INPUT * spec.link_volts);
-    let start = own(world.vcu.dcdc_volts.1, OWN_START * spec.low_volts);
+    let command = world.parts_heard.converter;
+    let lowest_input = own(command.lowest_input, OWN_INPUT * spec.link_volts);
+    let start = own(command.start_volts, OWN_START * spec.low_volts);
     let dcdc = &mut world.dcdc;
-    let may = world.vcu.dcdc && dcdc.precharged && dcdc.fault_code == 0 && dcdc.input_volts >= lowest_input;
+    let may = command.run && dcdc.precharged && dcdc.fault_code == 0 && dcdc.input_volts >= lowest_input;
     dcdc.running = may && (dcdc.running || world.supply.volts < start);
 
     let rest = rest_volts(world, spec);

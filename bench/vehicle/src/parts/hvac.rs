@@ -1,15 +1,13 @@
 //! The air conditioning: permit, precharge, fan, cooling and heating by what it has heard.
 //!
-//! Decides by the last frame of the vehicle controller: supply below 25 V forbids the start (BUS-R042), state of charge
+//! Decides by the last frame of the vehicle controller, as the numbers stand in it (BUS-50): supply below 25 V forbids the start (BUS-R042), state of charge
 //! below 20 % all (BUS-R043, R141), 20 to 30 % the start of cooling (BUS-R139, R140, BUS-49). Loses that frame for 10 s
 //! while it runs: gives alarm and keeps on until it is powered down (BUS-R133, BUS-21, BUS-22). Setpoints end at 22 and
 //! 32 degrees (BUS-R142).
 
-use super::pumps;
 use crate::spec::Spec;
 use crate::world::{Hvac, World};
 use crate::{STEP_MS, STEP_S};
-use protocol_core::vehicle::Node;
 
 /// Frames older than this are old news: five cycles of VCU5.
 const HEARD_MS: u64 = 500;
@@ -36,10 +34,7 @@ const CABIN_S: f64 = 900.0;
 
 /// Lets it run for one step.
 pub(super) fn step(world: &mut World, spec: &Spec) {
-    let silence = pumps::silence(world, Node::Hvac, "VCU5");
-    if silence < HEARD_MS {
-        world.hvac.heard = (world.vcu.hvac, world.supply.volts, world.vcu.heard.soc);
-    }
+    let silence = world.hvac.silence_ms;
     let powered = world.hv_connected() && world.vcu.hvac.relay;
     let awake = world.is_awake();
     let hvac = &mut world.hvac;
@@ -53,17 +48,18 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
 
 /// Permit, precharge and start.
 fn power(hvac: &mut Hvac, powered: bool, spec: &Spec) {
-    let (command, volts, soc) = hvac.heard;
-    let permitted = powered && command.permit;
+    let heard = hvac.heard;
+    let permitted = powered && heard.permit;
     hvac.permitted_ms = if permitted { hvac.permitted_ms.saturating_add(STEP_MS) } else { 0 };
     hvac.precharged = hvac.permitted_ms >= PRECHARGE_MS;
-    let starts = volts >= START_VOLTS * spec.low_volts;
-    hvac.on = permitted && !hvac.stopped && soc >= SOC.0 && (hvac.on || starts);
+    let starts = heard.supply_volts >= START_VOLTS * spec.low_volts;
+    let charged = heard.soc.is_some_and(|soc| soc >= SOC.0);
+    hvac.on = permitted && !hvac.stopped && charged && (hvac.on || starts);
 }
 
 /// A fault waits for the reset; what the reset does not clear stops it (BUS-R045).
 fn faults(hvac: &mut Hvac, powered: bool) {
-    let resets = hvac.faults != 0 && hvac.heard.0.reset;
+    let resets = hvac.faults != 0 && hvac.heard.reset;
     hvac.reset_ms = if resets { hvac.reset_ms.saturating_add(STEP_MS) } else { 0 };
     if hvac.faults == 0 || !powered {
         hvac.stopped = false;
@@ -74,7 +70,7 @@ fn faults(hvac: &mut Hvac, powered: bool) {
 
 /// Fan, cooling and heating.
 fn climate(hvac: &mut Hvac) {
-    let soc = hvac.heard.2;
+    let soc = hvac.heard.soc.unwrap_or(0.0);
     if !hvac.on {
         (hvac.fan, hvac.cooling, hvac.heating) = (0, false, false);
         return;
@@ -95,7 +91,7 @@ fn climate(hvac: &mut Hvac) {
 
 fn warmth(world: &mut World, spec: &Spec) {
     let hvac = &mut world.hvac;
-    let full = spec.hvac_watts * if hvac.heard.0.derate { DERATED } else { 1.0 };
+    let full = spec.hvac_watts * if hvac.heard.derate { DERATED } else { 1.0 };
     let busy = if hvac.cooling || hvac.heating { full } else { 0.0 };
     hvac.watts = busy + FAN * spec.hvac_watts * f64::from(hvac.fan) / 3.0;
     let heat = match (hvac.cooling, hvac.heating) {

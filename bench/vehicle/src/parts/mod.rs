@@ -13,7 +13,6 @@ mod pumps;
 
 pub(crate) use controls::CONTROLS;
 
-use crate::spec;
 use crate::world::{Part, World};
 use crate::{STEP_MS, STEP_S};
 
@@ -26,13 +25,13 @@ const WARM_S: f64 = 400.0;
 
 /// Gives the parts the state of a vehicle that stood over night.
 pub(crate) fn build(world: &mut World) {
-    converter::rest(world, spec::of(world.kind));
+    converter::rest(world, world.spec);
     world.hvac.cabin_celsius = world.road.celsius;
 }
 
 /// Lets every part act for one step.
 pub(crate) fn step(world: &mut World) {
-    let spec = spec::of(world.kind);
+    let spec = world.spec;
     let link = if world.hv_connected() { world.motor.link_volts } else { 0.0 };
     let air = world.road.celsius;
     for part in [&mut world.dcdc, &mut world.steering, &mut world.compressor] {
@@ -42,7 +41,7 @@ pub(crate) fn step(world: &mut World) {
     pumps::step(world, spec);
     air::step(world);
     hvac::step(world, spec);
-    insulation::step(world, spec);
+    insulation::step(world);
 }
 
 /// What the link does to a part: its voltage, its precharge, its warmth.

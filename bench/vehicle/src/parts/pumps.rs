@@ -4,10 +4,10 @@
 //! control at the rated speed from power-up, and whenever nothing valid comes from outside (BUS-R118).
 
 use super::take;
+use crate::STEP_S;
 use crate::spec::Spec;
+use crate::told::PumpCommand;
 use crate::world::{Part, World};
-use crate::{Kind, STEP_S};
-use protocol_core::vehicle::Node;
 
 /// Rated frequency in Hz: the default of both.
 const DEFAULT_HZ: f64 = 50.0;
@@ -15,18 +15,14 @@ const DEFAULT_HZ: f64 = 50.0;
 const RPM_PER_HZ: f64 = 30.0;
 /// How fast a pump gains or loses speed, in rpm per s.
 const SPIN: f64 = 1_500.0;
-/// Silence of the vehicle controller after which its command is no longer valid: five of its slowest cycles.
-const VALID_MS: u64 = 1_000;
 /// Share of the pump's power without anyone turning the wheel.
 const IDLE: f64 = 0.35;
 
 /// Lets both follow their command.
 pub(super) fn step(world: &mut World, spec: &Spec) {
-    let heard = |node: Node, message: &'static str| silence(world, node, message) < VALID_MS;
-    let valid = (heard(Node::Steering, "VCU4"), heard(Node::Compressor, "VCU8"));
     let steering_load = if world.motion.kmh() < 5.0 { 0.6 } else { IDLE };
-    steering(&mut world.steering, world.vcu.steering, valid.0);
-    compressor(&mut world.compressor, world.vcu.compressor, valid.1);
+    steering(&mut world.steering, world.parts_heard.steering);
+    compressor(&mut world.compressor, world.parts_heard.compressor);
     for (part, watts) in [
         (&mut world.steering, spec.steering_watts * steering_load),
         (&mut world.compressor, spec.compressor_watts),
@@ -36,35 +32,25 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
     }
 }
 
-/// How long a node has not heard its command, in ms: the bus has a message for each, the others are told by wire.
-pub(super) fn silence(world: &World, node: Node, message: &str) -> u64 {
-    let any = world.links.silence_ms(node, Node::Vcu);
-    // Before the first step there are no messages: nobody is missed yet.
-    match (world.kind, world.links.message_silence_ms(message)) {
-        (Kind::Citybus, ms) if ms < u64::MAX => any.max(ms),
-        (Kind::Citybus, _) => any,
-        (Kind::Jiulong | Kind::C5ev, _) => 0,
-    }
-}
-
-fn steering(part: &mut Part, (run, hertz): (bool, f64), valid: bool) {
-    part.external = valid && run && hertz > 0.0;
-    let wanted = if valid { run } else { part.running };
+fn steering(part: &mut Part, heard: Option<PumpCommand>) {
+    part.external = heard.is_some_and(|command| command.run && command.hertz > 0.0);
+    let wanted = heard.map_or(part.running, |command| command.run);
     part.running = wanted && can_run(part);
-    spin(part, if part.external { hertz } else { DEFAULT_HZ });
+    spin(part, heard);
 }
 
-fn compressor(part: &mut Part, (run, hertz): (bool, f64), valid: bool) {
-    part.external = valid && run && hertz > 0.0;
-    part.running = valid && run && can_run(part);
-    spin(part, if part.external { hertz } else { DEFAULT_HZ });
+fn compressor(part: &mut Part, heard: Option<PumpCommand>) {
+    part.external = heard.is_some_and(|command| command.run && command.hertz > 0.0);
+    part.running = heard.is_some_and(|command| command.run) && can_run(part);
+    spin(part, heard);
 }
 
 fn can_run(part: &Part) -> bool {
     part.precharged && part.fault_code == 0
 }
 
-fn spin(part: &mut Part, hertz: f64) {
+fn spin(part: &mut Part, heard: Option<PumpCommand>) {
+    let hertz = heard.filter(|_| part.external).map_or(DEFAULT_HZ, |command| command.hertz);
     let wanted = if part.running { hertz * RPM_PER_HZ } else { 0.0 };
     let most = SPIN * STEP_S;
     part.rpm += (wanted - part.rpm).clamp(-most, most);

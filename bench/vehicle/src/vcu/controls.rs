@@ -3,16 +3,10 @@
 //! Fault codes by the level of the vehicle's own document: level 3 is the worst in the bus, level 1 in the jiulong
 //! (BUS-34, JL-14); each level takes a second code so that one sees them take turns.
 
-use crate::Kind;
 use crate::control::{Control, Group, Setting, Takes, flag, is_on};
 use crate::world::World;
 
 const CODE: Takes = Takes::Number { min: 0.0, max: 65_535.0, step: 1.0, unit: "" };
-/// Level 3 is the worst.
-const RISING: &[Kind] = &[Kind::Citybus, Kind::C5ev];
-/// Level 1 is the worst.
-const FALLING: &[Kind] = &[Kind::Jiulong];
-const BUS: &[Kind] = &[Kind::Citybus];
 
 fn get<const ROW: usize, const PLACE: usize>(world: &World) -> Setting {
     Some(f64::from(world.vcu.set_codes[ROW][PLACE]))
@@ -34,18 +28,26 @@ const LEVEL_2B: [&str; 2] = ["整车二级故障代码 2", "Vehicle fault, level
 const LEVEL_3: [&str; 2] = ["整车三级故障代码", "Vehicle fault, level 3"];
 const LEVEL_3B: [&str; 2] = ["整车三级故障代码 2", "Vehicle fault, level 3, second"];
 
-/// Faults of the vehicle controller and what it is told to do wrong.
+/// Codes where level 3 is the worst.
+pub(crate) const RISING_LEVELS: &[Control] = &[
+    code::<0, 0>("vcu.fault_level_1", LEVEL_1),
+    code::<0, 1>("vcu.fault_level_1b", LEVEL_1B),
+    code::<2, 0>("vcu.fault_level_3", LEVEL_3),
+    code::<2, 1>("vcu.fault_level_3b", LEVEL_3B),
+];
+
+/// Codes where level 1 is the worst.
+pub(crate) const FALLING_LEVELS: &[Control] = &[
+    code::<2, 0>("vcu.fault_level_1", LEVEL_1),
+    code::<2, 1>("vcu.fault_level_1b", LEVEL_1B),
+    code::<0, 0>("vcu.fault_level_3", LEVEL_3),
+    code::<0, 1>("vcu.fault_level_3b", LEVEL_3B),
+];
+
+/// Codes of level 2, and what the vehicle controller is told to do wrong.
 pub(crate) const CONTROLS: &[Control] = &[
-    code::<0, 0>("vcu.fault_level_1", LEVEL_1).on(RISING),
-    code::<0, 1>("vcu.fault_level_1b", LEVEL_1B).on(RISING),
     code::<1, 0>("vcu.fault_level_2", LEVEL_2),
     code::<1, 1>("vcu.fault_level_2b", LEVEL_2B),
-    code::<2, 0>("vcu.fault_level_3", LEVEL_3).on(RISING),
-    code::<2, 1>("vcu.fault_level_3b", LEVEL_3B).on(RISING),
-    code::<2, 0>("vcu.fault_level_1", LEVEL_1).on(FALLING),
-    code::<2, 1>("vcu.fault_level_1b", LEVEL_1B).on(FALLING),
-    code::<0, 0>("vcu.fault_level_3", LEVEL_3).on(FALLING),
-    code::<0, 1>("vcu.fault_level_3b", LEVEL_3B).on(FALLING),
     Control::new(
         "vcu.ignores_hv_off",
         ["不响应断高压请求", "Ignores requests to open high voltage"],
@@ -62,7 +64,7 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| Some(world.vcu.dcdc_volts.0),
         |world, setting| world.vcu.dcdc_volts.0 = setting.unwrap_or_default(),
     )
-    .on(BUS),
+    .optional(),
     Control::new(
         "vcu.dcdc_start_volts",
         ["DC/DC 起动电压", "DC/DC: starts below, 0 = its own"],
@@ -71,5 +73,5 @@ pub(crate) const CONTROLS: &[Control] = &[
         |world| Some(world.vcu.dcdc_volts.1),
         |world, setting| world.vcu.dcdc_volts.1 = setting.unwrap_or_default(),
     )
-    .on(BUS),
+    .optional(),
 ];

@@ -5,8 +5,6 @@
 //! table: the product is what is left.
 
 use super::{faults, power_up};
-use crate::Kind;
-use crate::drive::motor_severity;
 use crate::spec::Spec;
 use crate::world::World;
 use protocol_core::model::Severity;
@@ -26,44 +24,59 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
     let factors = [
         power_up::fading(world),
         cool,
-        if world.vcu.severity >= Severity::Derate { DERATED } else { 1.0 },
+        if world.vcu.own_severity >= Severity::Derate { DERATED } else { 1.0 },
         if faults::alarms(world) { DERATED } else { 1.0 },
         if world.driver.economy { 0.85 } else { 1.0 },
     ];
     let factor: f64 = factors.iter().product();
-    let heard = world.vcu.heard;
+    let battery = &world.vcu.heard.battery;
     let accessories = world.accessory_watts();
-    let from_battery = MARGIN * heard.discharge_limit_amps * heard.volts - accessories;
+    // A limit that has never been heard allows nothing.
+    let limit_watts = |amps: Option<f64>| MARGIN * amps.unwrap_or(0.0) * battery.volts.unwrap_or(0.0);
+    let from_battery = limit_watts(battery.discharge_limit_amps) - accessories;
     let own = factor * if world.vcu.limp { spec.limp_watts } else { spec.max_watts };
-    let into_battery = MARGIN * heard.charge_limit_amps * heard.volts + accessories;
+    // What the accessories eat does not reach the battery: the motor may give back so much more.
+    let into_battery = limit_watts(battery.charge_limit_amps) + accessories;
+    let may_charge = battery.charge_limit_amps.is_some_and(|amps| amps > 0.0);
     let vcu = &mut world.vcu;
     vcu.allowed_watts = if vcu.ready { own.min(from_battery).max(0.0) } else { 0.0 };
-    vcu.may_regenerate = vcu.ready && !vcu.limp && !vcu.seat_cut && heard.charge_limit_amps > 0.0;
+    vcu.may_regenerate = vcu.ready && !vcu.limp && !vcu.seat_cut && may_charge;
     vcu.allowed_regeneration_watts =
         if vcu.may_regenerate { (factor * spec.regeneration_watts).min(into_battery).max(0.0) } else { 0.0 };
     let told = TOLD * spec.max_watts * if world.driver.economy { 0.85 } else { 1.0 };
-    vcu.power_limited = vcu.limp || (vcu.ready && vcu.allowed_watts < told);
+    // A limit of 0 takes READY, too, and is the strictest limit of all.
+    let nothing =
+        vcu.heard.battery.discharge_limit_amps == Some(0.0) && vcu.started && vcu.spans.hv_on_ms > 0;
+    vcu.power_limited = vcu.limp || nothing || (vcu.ready && vcu.allowed_watts < told);
     vcu.torque_limited = cool < 1.0 || vcu.seat_cut;
 }
 
 /// Share of the torque that heat leaves.
 fn cool(world: &World) -> f64 {
     let share = |celsius: f64, (from, over): (f64, f64)| (1.0 - (celsius - from) / over).clamp(0.0, 1.0);
-    share(world.motor.celsius, WARM[0]).min(share(world.motor.inverter_celsius, WARM[1]))
+    let motor = &world.vcu.heard.motor;
+    let share = |celsius: Option<f64>, warm| celsius.map_or(1.0, |celsius| share(celsius, warm));
+    share(motor.celsius, WARM[0]).min(share(motor.inverter_celsius, WARM[1]))
 }
 
-/// Heat takes some of the torque.
-pub(crate) fn is_warm(world: &World) -> bool {
-    cool(world) < 1.0
+/// How bad what the motor controller reports is: it stops for a fault and for a protection that has tripped, drives on
+/// with less when too hot or too fast, and gives alarm while heat takes torque (JL-R010).
+pub(crate) fn motor_severity(world: &World) -> Severity {
+    let motor = &world.vcu.heard.motor;
+    match (motor.fault_code != 0 || motor.tripped, motor.protections != 0) {
+        (true, _) => Severity::Stop,
+        (false, true) => Severity::Derate,
+        (false, false) if cool(world) < 1.0 => Severity::Warn,
+        (false, false) => Severity::None,
+    }
 }
 
 /// Speed in km/h at which the torque is taken back.
 pub(super) fn top_kmh(world: &World, spec: &Spec, reverse: bool) -> f64 {
-    let worst = world.vcu.severity.max(world.vcu.heard.severity).max(motor_severity(world));
-    match (reverse, world.kind, worst) {
-        (true, _, _) => spec.top_reverse_kmh,
-        // JL-R010: an ordinary fault drives on at limited speed.
-        (false, Kind::Jiulong, Severity::Derate) => 0.4 * spec.top_kmh,
+    let worst = faults::worst(world).max(motor_severity(world));
+    match (reverse, worst) {
+        (true, _) => spec.top_reverse_kmh,
+        (false, Severity::Derate) => spec.derated_top * spec.top_kmh,
         _ => spec.top_kmh,
     }
 }

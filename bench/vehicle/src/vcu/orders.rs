@@ -7,7 +7,7 @@
 use super::power_up::is_live;
 use crate::spec::Spec;
 use crate::world::{Key, Relays, World};
-use crate::{Kind, STEP_MS, STEP_S};
+use crate::{STEP_MS, STEP_S};
 
 /// From the relay's command to the permit (BUS-R044).
 const PERMIT_MS: u64 = 3_000;
@@ -44,13 +44,15 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
     relays(world, live);
     coolant(world);
     consumption(world);
-    range(world);
+    if let Some(soc) = world.vcu.heard.battery.soc {
+        range(world, soc);
+    }
 }
 
 fn compressor(world: &mut World, spec: &Spec, live: bool) {
     let air = world.air.front_mpa.min(world.air.rear_mpa);
     let vacuum = world.air.vacuum_kpa;
-    let vans = world.kind == Kind::Jiulong;
+    let vans = spec.has_vacuum;
     let low = air < AIR.0 || (vans && vacuum < VACUUM.0);
     let full = air > AIR.1 && (!vans || vacuum > VACUUM.1);
     let run = live && spec.compressor_watts > 0.0 && !full && (low || world.vcu.compressor.0);
@@ -61,20 +63,20 @@ fn hvac(world: &mut World, live: bool) {
     let vcu = &mut world.vcu;
     let spans = &mut vcu.spans;
     // A battery that may give nothing has nothing for comfort (BUS-R082).
-    let may = vcu.heard.discharge_limit_amps > 0.0;
-    vcu.hvac.relay = live && may && world.driver.air_conditioning && world.driver.key >= Key::On;
+    let may = vcu.heard.battery.discharge_limit_amps.is_some_and(|amps| amps > 0.0);
+    vcu.hvac.relay = live && may && world.driver.air_conditioning && vcu.key >= Key::On;
     spans.hvac_relay_ms = if vcu.hvac.relay { spans.hvac_relay_ms.saturating_add(STEP_MS) } else { 0 };
     vcu.hvac.permit = spans.hvac_relay_ms > PERMIT_MS;
-    vcu.hvac.derate = vcu.hvac.permit && vcu.heard.soc < DERATE_SOC;
+    vcu.hvac.derate = vcu.heard.battery.soc.is_some_and(|soc| soc < DERATE_SOC);
     spans.hvac_fault_ms =
-        if world.hvac.faults != 0 { spans.hvac_fault_ms.saturating_add(STEP_MS) } else { 0 };
+        if vcu.heard.parts.hvac_fault { spans.hvac_fault_ms.saturating_add(STEP_MS) } else { 0 };
     vcu.hvac.reset = (1..=RESET_MS).contains(&spans.hvac_fault_ms);
 }
 
 fn charging(world: &mut World) {
     let still = world.motion.metres_per_s == 0.0;
     let vcu = &mut world.vcu;
-    let up = world.kind == Kind::Citybus && world.charger.pantograph && (still || vcu.pantograph_state > 0);
+    let up = world.charger.pantograph && (still || vcu.pantograph_state > 0);
     vcu.spans.pantograph_ms = if up { vcu.spans.pantograph_ms.saturating_add(STEP_MS) } else { 0 };
     vcu.pantograph_state = match vcu.spans.pantograph_ms {
         0 => 0,
@@ -93,13 +95,14 @@ fn relays(world: &mut World, live: bool) {
         accessory: live,
         accessory_precharge: false,
         defrost: false,
-        charge: vcu.heard.charge_closed,
-        battery: vcu.heard.main_closed,
+        charge: vcu.heard.battery.charge_closed,
+        battery: vcu.heard.battery.main_closed == Some(true),
     };
 }
 
 fn coolant(world: &mut World) {
-    let hot = (world.motor.celsius - 30.0).max(world.motor.inverter_celsius);
+    let motor = &world.vcu.heard.motor;
+    let hot = (motor.celsius.unwrap_or(0.0) - 30.0).max(motor.inverter_celsius.unwrap_or(0.0));
     world.vcu.coolant_pump = world.vcu.ready;
     world.vcu.coolant_fan = COOLANT.iter().filter(|from| hot > **from).count() as u8;
 }
@@ -115,9 +118,9 @@ fn consumption(world: &mut World) {
 }
 
 /// Forecasts the range from the charge and the mean consumption.
-pub(super) fn range(world: &mut World) {
-    let spec = crate::spec::of(world.kind);
-    let joules = USABLE * world.vcu.heard.soc * world.pack.capacity_ah * 3_600.0 * spec.link_volts;
+pub(super) fn range(world: &mut World, soc: f64) {
+    let spec = world.spec;
+    let joules = USABLE * soc * spec.battery.capacity_ah * 3_600.0 * spec.link_volts;
     let lowest = 0.6 * spec.joules_per_metre;
     world.vcu.range_km = joules / world.vcu.joules_per_metre.max(lowest) / 1_000.0;
 }

@@ -13,7 +13,7 @@ const PARK_KMH: f64 = 1.0;
 
 /// Engages what the lever asks for, or refuses it.
 pub(super) fn step(world: &mut World, spec: &Spec) {
-    if world.driver.key < Key::On {
+    if world.vcu.key < Key::On {
         return;
     }
     let engaged = world.vcu.gear.unwrap_or_default();

@@ -4,15 +4,13 @@
 //! brakes a little, with the brake pedal more, as far as the battery may be charged: the friction brakes do the rest.
 //! Driver's seat empty for 2 s in D or R: no torque either way until he is back (BUS-R130 to R132).
 
-use super::limits;
+use super::{limits, power_up};
 use crate::STEP_MS;
 use crate::spec::Spec;
 use crate::world::{Gear, World};
 
 /// The seat has to be left for so long (BUS-R131, BUS-93).
 pub(super) const SEAT_MS: u64 = 2_000;
-/// Cluster frames older than this no longer say who sits: three of its 1 s cycles.
-const SEAT_HEARD_MS: u64 = 3_000;
 /// Brake pedal above which the accelerator is ignored.
 const BRAKE_FIRST: f64 = 0.05;
 /// The last km/h below the top speed, over which the torque is taken back.
@@ -32,9 +30,9 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
         Some(Gear::R) => -1.0,
         _ => 0.0,
     };
-    let free = world.vcu.ready && !world.vcu.seat_cut && direction != 0.0;
+    let free = world.vcu.ready && !world.vcu.seat_cut && direction != 0.0 && !is_held(world);
     if !free {
-        world.motor.wanted_nm = 0.0;
+        world.vcu.wanted_nm = 0.0;
         return;
     }
     let speed = direction * world.motion.metres_per_s;
@@ -45,11 +43,17 @@ pub(super) fn step(world: &mut World, spec: &Spec) {
     };
     let driving = driving(world, spec, accelerator, speed, direction < 0.0);
     let braking = braking(world, spec, accelerator, brake, speed);
-    world.motor.wanted_nm = direction * (driving - braking);
+    world.vcu.wanted_nm = direction * (driving - braking);
+}
+
+/// A bus that stands does not drive off with a passenger door open or its parking brake on, as the cluster says (V-3).
+fn is_held(world: &World) -> bool {
+    let says = world.meter.door_open || world.meter.parking_brake;
+    world.motion.metres_per_s == 0.0 && says && power_up::hears_cluster(world)
 }
 
 fn seat(world: &mut World) {
-    let left = world.meter.seat_left && world.meter.silent_ms < SEAT_HEARD_MS;
+    let left = world.meter.seat_left && power_up::hears_cluster(world);
     let spans = &mut world.vcu.spans;
     spans.seat_ms = if left { spans.seat_ms.saturating_add(STEP_MS) } else { 0 };
     world.vcu.seat_cut = spans.seat_ms >= SEAT_MS;

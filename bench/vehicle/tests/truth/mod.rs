@@ -49,10 +49,10 @@ const BUS: &[Truth] = &[
     ("VCU1", "ready", |world| f64::from(u8::from(world.vcu.ready))),
     ("VCU1", "gear", |world| gear(world, [4.0, 1.0, 2.0, 8.0])),
     ("VCU1", "handbrake", |world| f64::from(u8::from(world.driver.parking_brake))),
-    ("VCU2", "target_torque", |world| world.motor.wanted_nm),
-    ("VCU3", "mcu_input_voltage", |world| world.motor.link_volts),
+    ("VCU2", "target_torque", |world| world.vcu.wanted_nm),
+    ("VCU3", "mcu_input_voltage", |world| heard(world.vcu.link_volts)),
     ("VCU5", "aux_battery_voltage", |world| world.supply.volts),
-    ("VCU5", "soc", |world| world.vcu.heard.soc * 100.0),
+    ("VCU5", "soc", |world| heard(world.vcu.heard.battery.soc) * 100.0),
     ("VCU7", "dtc", |world| f64::from(world.vcu.code)),
     ("IPU1", "bus_voltage", |world| world.motor.link_volts),
     ("IPU2", "motor_speed", |world| world.motor.rpm),
@@ -92,17 +92,17 @@ const BUS: &[Truth] = &[
 
 const JIULONG: &[Truth] = &[
     ("VCU1", "accelerator_pedal", |world| world.driver.accelerator * 100.0),
-    ("VCU1", "torque", |world| world.motor.wanted_nm),
-    ("VCU1", "motor_temperature", |world| world.motor.celsius),
+    ("VCU1", "torque", |world| world.vcu.wanted_nm),
+    ("VCU1", "motor_temperature", |world| heard(world.vcu.heard.motor.celsius)),
     ("VCU1", "economy_mode", |world| f64::from(u8::from(world.driver.economy))),
     ("VCU2", "gear", |world| gear(world, [0.0, 1.0, 2.0, f64::NAN])),
-    ("VCU2", "soc", |world| world.vcu.heard.soc * 100.0),
-    ("VCU2", "controller_temperature", |world| world.motor.inverter_celsius),
+    ("VCU2", "soc", |world| heard(world.vcu.heard.battery.soc) * 100.0),
+    ("VCU2", "controller_temperature", |world| heard(world.vcu.heard.motor.inverter_celsius)),
     ("VCU2", "vacuum", |world| world.air.vacuum_kpa / 100.0),
     ("VCU3", "vehicle_speed", |world| world.motion.kmh()),
-    ("VCU3", "motor_speed", |world| world.motor.rpm),
+    ("VCU3", "motor_speed", |world| world.vcu.heard.motor.rpm),
     ("VCU3", "remaining_range", |world| world.vcu.range_km),
-    ("VCU4", "motor_voltage", |world| world.motor.link_volts),
+    ("VCU4", "motor_voltage", |world| heard(world.vcu.heard.motor.link_volts)),
     ("VCU4", "air_pressure_1", |world| world.air.front_mpa * 10.0),
     ("BMSStatus", "pack_voltage", |world| world.pack.volts),
     ("BMSStatus", "pack_current", |world| world.pack.amps),
@@ -136,15 +136,20 @@ const C5EV: &[Truth] = &[
     ("ChargerTx", "output_voltage", |world| world.charger.volts),
     ("ChargerTx", "output_current", |world| world.charger.amps),
     ("VCUToCluster", "vehicle_speed", |world| world.motion.kmh()),
-    ("VCUToCluster", "soc", |world| world.vcu.heard.soc * 100.0),
-    ("VCUToCluster", "battery_voltage", |world| world.vcu.heard.volts),
+    ("VCUToCluster", "soc", |world| heard(world.vcu.heard.battery.soc) * 100.0),
+    ("VCUToCluster", "battery_voltage", |world| heard(world.vcu.heard.battery.volts)),
     ("VCUToCluster", "gear", |world| gear(world, [0.0, 1.0, 2.0, 3.0])),
     ("VCUToCluster", "ready", |world| f64::from(u8::from(world.vcu.ready))),
-    ("VCUToCluster", "motor_power", |world| world.motor.watts / 1_000.0),
+    ("VCUToCluster", "motor_power", |world| world.vcu.heard.motor.watts / 1_000.0),
     ("VCUToCluster", "remaining_range", |world| world.vcu.range_km),
     ("VCUToCluster", "charge_connected", |world| f64::from(u8::from(world.charger.plugged))),
     ("VCUToCluster", "cruise", |world| f64::from(u8::from(world.driver.cruise))),
 ];
+
+/// What the vehicle controller passes on is true as it heard it; not a number = it has not heard it yet.
+fn heard(told: Option<f64>) -> f64 {
+    told.unwrap_or(f64::NAN)
+}
 
 /// The engaged gear in a document's numbers for N, D, R and P.
 fn gear(world: &World, [n, d, r, p]: [f64; 4]) -> f64 {

@@ -4,17 +4,18 @@
 //! the cruise control on it is a speed, in the same bytes (C5-R015). The bytes that the source lost (C5-01) stay 0.
 //! Source: the C5EV document, readings C5-01 to C5-44.
 
-use super::rows::{Row, Sheet, bit, fixed, flag, value};
-use super::truth::{
-    alarm, gear, heard_soc, leak, motor_fault, pack_amps, pack_volts, plugged, soc, speed, word,
-};
-use crate::world::{Charge, Contactor, Gear, RelayState};
+use crate::bms;
+use crate::bus::rows::{Row, Sheet, bit, fixed, flag, value};
+use crate::bus::truth::{alarm, gear, heard_soc, pack_amps, pack_volts, plugged, soc, speed, word};
+use crate::bus::unprinted::{MOTOR_REPORT, PARTS_COMMANDS, PARTS_REPORT};
+use crate::drive::STIFFNESS;
+use crate::vehicle::Unsaid;
+use crate::world::{Charge, Contactor, Gear, RelayState, World};
 use protocol_core::model::Severity;
-use protocol_core::vehicle::Node;
 
 pub(super) static SHEETS: &[Sheet] = &[
     Sheet::of("VCUToBMS", VCU_TO_BMS),
-    Sheet::of("BMSA", BMSA),
+    Sheet::of("BMSA", BMSA).sent(bms::limits_sent),
     Sheet::of("BMSB", BMSB),
     Sheet::of("BMSC", BMSC),
     Sheet::of("BMSD", BMSD),
@@ -25,6 +26,9 @@ pub(super) static SHEETS: &[Sheet] = &[
     Sheet::of("VCUToCluster", VCU_TO_CLUSTER),
     Sheet::of("VCUToMCU", VCU_TO_MCU),
 ];
+
+/// No message of the motor is printed, and none to the parts.
+pub(super) static UNPRINTED: &[Unsaid] = &[MOTOR_REPORT, PARTS_COMMANDS, PARTS_REPORT];
 
 const VCU_TO_BMS: &[Row] = &[value("relay_command", |world| word(&[(world.vcu.hv_command, ON)], OFF))];
 
@@ -52,7 +56,7 @@ const BMSB: &[Row] = &[
     fixed("temperature_sensing_fault", 0.0),
     fixed("voltage_sensing_fault", 0.0),
     flag("current_sensing_fault", |world| world.bms.defects.current_sensor),
-    flag("vcu_lost", |world| world.links.silence_ms(Node::Bms, Node::Vcu) >= VCU_LOST_MS),
+    flag("vcu_lost", |world| world.bms.vcu_silence_ms >= VCU_LOST_MS),
     fixed("can_fault", 0.0),
     flag("self_check_passed", |world| !alarm(world, SELF_CHECK)),
     fixed("slave_8_lost", 0.0),
@@ -181,34 +185,52 @@ const BATTERY_LOW: f64 = 0.15;
 const VCU_TO_CLUSTER: &[Row] = &[
     value("soc", heard_soc),
     value("vehicle_speed", speed),
-    value("motor_power", |world| Some(world.motor.watts / 1_000.0)),
-    value("battery_voltage", |world| Some(world.vcu.heard.volts)),
+    value("motor_power", |world| Some(world.vcu.heard.motor.watts / 1_000.0)),
+    value("battery_voltage", |world| world.vcu.heard.battery.volts),
     value("remaining_range", |world| Some(world.vcu.range_km)),
     value("gear", |world| gear(world, 0.0, 1.0, 2.0, Some(3.0))),
-    flag("insulation_fault", |world| leak(world) != Severity::None),
-    flag("battery_fault", |world| world.vcu.heard.severity != Severity::None),
-    flag("motor_fault", motor_fault),
+    flag("insulation_fault", |world| world.vcu.heard.parts.leak != Severity::None),
+    flag("battery_fault", |world| world.vcu.heard.battery.severity != Severity::None),
+    flag("motor_fault", |world| {
+        let motor = &world.vcu.heard.motor;
+        motor.fault_code != 0 || motor.protections != 0
+    }),
     flag("ready", |world| world.vcu.ready),
     flag("system_fault", |world| world.vcu.system_fault),
-    flag("charging", |world| world.bms.charge == Charge::Charging),
+    flag("charging", |world| world.vcu.heard.battery.charge == Charge::Charging),
     fixed("ebd_fault", 0.0),
     fixed("abs_fault", 0.0),
     flag("turtle_mode", |world| world.vcu.limp || world.vcu.power_limited),
     flag("charge_connected", plugged),
     flag("cruise", |world| world.driver.cruise),
-    flag("battery_low", |world| world.vcu.heard.soc < BATTERY_LOW),
+    flag("battery_low", |world| world.vcu.heard.battery.soc.is_some_and(|soc| soc < BATTERY_LOW)),
     flag("buzzer", |world| world.vcu.buzzer),
     flag("sport_mode", |world| !world.driver.economy),
 ];
 
+/// Direction of the gear: forwards is positive.
+fn sign(world: &World) -> f64 {
+    if world.vcu.gear == Some(Gear::R) { -1.0 } else { 1.0 }
+}
+
+/// Torque in the direction of the gear.
+fn along(world: &World) -> f64 {
+    world.vcu.wanted_nm * sign(world)
+}
+
 const VCU_TO_MCU: &[Row] = &[
-    value("work_mode", |world| word(&[(world.motor.wanted_nm * world.motor.rpm < 0.0, 2.0)], 1.0)),
+    // Braking is torque against the direction.
+    value("work_mode", |world| word(&[(along(world) < 0.0, 2.0)], 1.0)),
     value("control_mode", |world| word(&[(world.driver.cruise, 2.0)], 1.0)),
     value("direction", |world| {
         word(&[(world.vcu.gear == Some(Gear::D), 2.0), (world.vcu.gear == Some(Gear::R), 1.0)], 0.0)
     }),
-    value("torque", |world| Some(world.motor.wanted_nm.abs())),
-    value("speed", |world| Some(world.motor.rpm.abs())),
+    value("torque", |world| Some(world.vcu.wanted_nm.abs())),
+    // A speed beyond the present one by as much as gives the torque.
+    value("speed", |world| {
+        let rpm = world.vcu.heard.motor.rpm * sign(world);
+        Some((rpm + along(world) / STIFFNESS).max(0.0))
+    }),
     // Low bytes of 9000 rpm and 300 Nm; the high ones are lost (C5-01).
     fixed("max_speed_low", 40.0),
     fixed("max_torque_low", 44.0),

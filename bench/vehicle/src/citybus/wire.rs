@@ -6,12 +6,14 @@
 //! only then (BUS-04, BUS-R054, R055).
 //! Source: the bus document, readings BUS-01 to BUS-121.
 
-use super::rows::{Row, Sheet, element, fixed, flag, value};
-use super::truth::{
-    accelerator, brake, cell_seat, charge_state, gear, heard_soc, highest, level_down, level_up, lowest,
-    motor_amps, motor_fault, pack_amps, pack_volts, plugged, probe_seat, protection, relay, soc, speed,
-    status, word,
+use crate::bms;
+use crate::bus::rows::{Row, Sheet, element, fixed, flag, value};
+use crate::bus::truth::{
+    accelerator, brake, cell_seat, charge_order, charge_state, gear, heard_soc, highest, level_down,
+    level_up, lowest, motor_amps, motor_fault, pack_amps, pack_volts, plugged, probe_seat, protection, relay,
+    soc, speed, status, word,
 };
+use crate::vehicle::Unsaid;
 use crate::world::{Charge, Contactor, Gear, World};
 use protocol_core::model::Severity;
 
@@ -22,16 +24,16 @@ pub(super) static SHEETS: &[Sheet] = &[
     Sheet::of("VCU4", VCU4),
     Sheet::of("VCU5", VCU5),
     Sheet::of("VCU6", VCU6),
-    Sheet::of("VCU7", VCU7),
+    Sheet::of("VCU7", VCU7).overview(100),
     Sheet::of("VCU8", VCU8),
     Sheet::of("VCU9", VCU9),
     Sheet::of("VCU10", VCU10),
-    Sheet::of("IPU1", IPU1).only(|world| !world.motor.own_bus),
+    Sheet::of("IPU1", IPU1).here(|world| !world.motor.own_bus),
     Sheet::of("IPU2", IPU2),
     Sheet::of("IPU3", IPU3),
     Sheet::of("BMS1", BMS1),
     Sheet::of("BMS2", BMS2),
-    Sheet::of("BMS4", BMS4),
+    Sheet::of("BMS4", BMS4).sent(bms::limits_sent),
     Sheet::of("BMS5", BMS5),
     Sheet::of("BMS6", BMS6),
     Sheet::of("BMS7", BMS7),
@@ -39,17 +41,25 @@ pub(super) static SHEETS: &[Sheet] = &[
     Sheet::of("BMS9", BMS9),
     Sheet::of("BMS10", BMS10),
     Sheet::of("BMS11", BMS11),
-    Sheet::of("BMS12", BMS12),
+    Sheet::of("BMS12", BMS12).overview(500),
     Sheet::of("SteeringPump", STEERING_PUMP),
     Sheet::of("LowVoltageSteering", LOW_VOLTAGE_STEERING),
     Sheet::of("DCDC", DCDC),
     Sheet::of("AirPump", AIR_PUMP),
     Sheet::of("HVAC", HVAC),
-    Sheet::of("Insulation", INSULATION),
+    Sheet::of("Insulation", INSULATION).overview(3_000),
     Sheet::of("ChargerTx", CHARGER_TX).only(plugged).elsewhere(),
     Sheet::of("ChargerRx", CHARGER_RX).only(plugged).elsewhere(),
     Sheet::of("PEU", PEU),
 ];
+
+/// The pantograph's charger is outside and is told over a line of its own.
+pub(super) static UNPRINTED: &[Unsaid] = &[Unsaid {
+    between: None,
+    bring: |world, unprinted, is_heard| {
+        unprinted.charge_order.bring(is_heard.then(|| charge_order(world)));
+    },
+}];
 
 const VCU1: &[Row] = &[
     // The vehicle has no climb or snow mode (BUS-R018).
@@ -57,7 +67,7 @@ const VCU1: &[Row] = &[
         word(&[(matches!(world.vcu.gear, Some(Gear::D | Gear::R)), DRIVE_MODE)], PARK_MODE)
     }),
     value("gear", |world| gear(world, 4.0, 1.0, 2.0, Some(8.0))),
-    flag("handbrake", |world| world.driver.parking_brake),
+    flag("handbrake", |world| world.vcu.parking_brake),
     flag("foot_brake", |world| world.driver.brake > 0.0),
     value("accelerator_pedal", accelerator),
     value("vehicle_speed", speed),
@@ -72,7 +82,7 @@ const DRIVE_MODE: f64 = 3.0;
 const PARK_MODE: f64 = 0.0;
 
 const VCU2: &[Row] = &[
-    value("target_torque", |world| Some(world.motor.wanted_nm)),
+    value("target_torque", |world| Some(world.vcu.wanted_nm)),
     flag("ipu_enable", |world| world.vcu.ready),
     flag("discharge_enable", |world| !world.vcu.hv_command),
     fixed("control_mode", TORQUE_MODE),
@@ -88,7 +98,7 @@ const TORQUE_MODE: f64 = 2.0;
 const VCU3: &[Row] = &[
     fixed("vendor_code", 1.0),
     flag("hv_command", |world| world.vcu.hv_command),
-    value("mcu_input_voltage", |world| Some(world.motor.link_volts)),
+    value("mcu_input_voltage", |world| world.vcu.link_volts),
     value("pantograph_state", |world| Some(f64::from(world.vcu.pantograph_state))),
     flag("charge_enable", |world| world.vcu.charge_enable),
     flag("hv_cutoff", |world| world.vcu.hv_cutoff),
@@ -129,7 +139,7 @@ const VCU7: &[Row] = &[
     value("fault_level", |world| level_up(world.vcu.severity)),
     value("dtc", |world| Some(f64::from(world.vcu.code))),
     fixed("dryer_pressure_switch", 0.0),
-    flag("compressor_over_temperature", |world| world.compressor.fault_code == COMPRESSOR_HOT),
+    flag("compressor_over_temperature", |world| world.vcu.heard.parts.compressor_code == COMPRESSOR_HOT),
 ];
 
 /// Fault code of the compressor: its own over-temperature.
@@ -213,7 +223,7 @@ const BMS1: &[Row] = &[
         let bms = &world.bms;
         word(
             &[
-                (bms.severity == Severity::Stop, 4.0),
+                (bms.severity > Severity::None, 4.0),
                 (bms.precharge.closed && !bms.precharged, 1.0),
                 (bms.precharged, 2.0),
             ],
@@ -482,16 +492,16 @@ const CHARGER_RX: &[Row] = &[
 ];
 
 const PEU: &[Row] = &[
-    value("positive_contactor", |world| reported(world.vcu.relays.motor)),
+    value("positive_contactor", |world| reported(world.contactor_box.motor)),
     value("battery_main_contactor", |world| sensed(&[world.bms.main])),
-    value("positive_precharge", |world| reported(world.vcu.relays.precharge)),
+    value("positive_precharge", |world| reported(world.contactor_box.precharge)),
     fixed("negative_precharge", 0.0),
-    value("defrost", |world| reported(world.vcu.relays.defrost)),
+    value("defrost", |world| reported(world.contactor_box.defrost)),
     fixed("hvac", 0.0),
     value("battery_heater", |world| sensed(&world.bms.heater)),
     fixed("heater", 0.0),
-    value("accessory", |world| reported(world.vcu.relays.accessory)),
-    value("accessory_precharge", |world| reported(world.vcu.relays.accessory_precharge)),
+    value("accessory", |world| reported(world.contactor_box.accessory)),
+    value("accessory_precharge", |world| reported(world.contactor_box.accessory_precharge)),
     value("charge_1", |world| sensed(&world.bms.charge_1)),
     value("charge_2", |world| sensed(&world.bms.charge_2)),
 ];

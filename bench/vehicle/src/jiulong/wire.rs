@@ -5,13 +5,18 @@
 //! (JL-27, JL-28), what is left of the last one is zero (JL-R021).
 //! Source: the jiulong document, readings JL-01 to JL-58.
 
-use super::rows::{Row, Sheet, bit, element, fixed, flag, value};
-use super::truth::{
-    accelerator, alarm, brake, cell_seat, gear, heard_soc, level_down, pack_amps, pack_volts, plugged,
-    probe_seat, protection, soc, speed, word,
+use crate::bms;
+use crate::bus::rows::{Row, Sheet, bit, element, fixed, flag, value};
+use crate::bus::truth::{
+    accelerator, alarm, brake, cell_seat, charge_order, gear, heard_soc, level_down, pack_amps, pack_volts,
+    plugged, probe_seat, soc, speed, word,
 };
-use crate::drive::motor_severity;
+use crate::bus::unprinted::{MOTOR_REPORT_ELSEWHERE, PARTS_COMMANDS, PARTS_REPORT};
+use crate::told::{BatteryCommand, BatteryReport, Hold, MotorCommand};
+use crate::vcu::motor_severity;
+use crate::vehicle::Unsaid;
 use crate::world::{Charge, Gear, World};
+use protocol_core::vehicle::Node;
 
 pub(super) static SHEETS: &[Sheet] = &[
     Sheet::of("VCU1", VCU1),
@@ -19,13 +24,55 @@ pub(super) static SHEETS: &[Sheet] = &[
     Sheet::of("VCU3", VCU3),
     Sheet::of("VCU4", VCU4),
     Sheet::of("VCU5", VCU5),
-    Sheet::of("BMSStatus", BMS_STATUS),
+    Sheet::of("BMSStatus", BMS_STATUS).sent(bms::limits_sent),
     Sheet::of("CellVoltages", CELL_VOLTAGES).series(4, |world| world.pack.cell_volts.len()),
     Sheet::of("ModuleTemperatures", MODULE_TEMPERATURES).series(3, |world| world.pack.probe_celsius.len()),
     Sheet::of("BMSFaults", BMS_FAULTS),
     Sheet::of("BMSExtremes", BMS_EXTREMES),
     Sheet::of("BMSExtremePositions", BMS_EXTREME_POSITIONS),
     Sheet::of("Charger", CHARGER).only(plugged),
+];
+
+/// The document is the instrument's part: motor, converter, pumps and air conditioning are on other buses, and what
+/// battery and vehicle controller, battery and charger tell each other beyond the instrument's messages is not in it.
+pub(super) static UNPRINTED: &[Unsaid] = &[
+    Unsaid {
+        between: None,
+        bring: |world, unprinted, is_heard| {
+            let (enabled, hold) = (world.vcu.ready, Hold::Torque(world.vcu.wanted_nm));
+            unprinted.motor_command.bring(is_heard.then_some(MotorCommand { enabled, hold }));
+        },
+    },
+    MOTOR_REPORT_ELSEWHERE,
+    Unsaid {
+        between: Some((Node::Vcu, Node::Bms)),
+        bring: |world, unprinted, is_heard| {
+            let high_voltage = world.vcu.hv_command;
+            let command = BatteryCommand { high_voltage, ..BatteryCommand::default() };
+            unprinted.battery_command.bring(is_heard.then_some(command));
+        },
+    },
+    Unsaid {
+        between: Some((Node::Bms, Node::Vcu)),
+        bring: |world, unprinted, is_heard| {
+            unprinted.battery.bring(is_heard.then(|| BatteryReport {
+                charge_limit_amps: Some(world.bms.charge_limit_amps),
+                discharge_limit_amps: Some(world.bms.discharge_limit_amps),
+                main_closed: Some(world.bms.main.closed && world.bms.negative.closed),
+                charge: world.bms.charge,
+                limp: world.bms.limp,
+                ..BatteryReport::default()
+            }));
+        },
+    },
+    Unsaid {
+        between: Some((Node::Bms, Node::Charger)),
+        bring: |world, unprinted, is_heard| {
+            unprinted.charge_order.bring(is_heard.then(|| charge_order(world)));
+        },
+    },
+    PARTS_COMMANDS,
+    PARTS_REPORT,
 ];
 
 /// Voltage below which the auxiliary battery counts as low, in V; a 12 V system.
@@ -39,21 +86,21 @@ fn auxiliary_low(world: &World) -> bool {
 
 const VCU1: &[Row] = &[
     flag("work_state", |world| world.vcu.ready),
-    value("vcu_fault_level", |world| level_down(world.vcu.severity)),
+    value("vcu_fault_level", |world| level_down(world.vcu.own_severity)),
     flag("vacuum_fault", |world| world.air.vacuum_kpa < VACUUM_LOW_KPA),
     flag("aux_battery_low", auxiliary_low),
-    flag("dcdc_fault", |world| world.dcdc.fault_code != 0),
+    flag("dcdc_fault", |world| world.vcu.heard.parts.dcdc_fault),
     value("accelerator_pedal", accelerator),
     value("brake_pedal", brake),
     // Regeneration is negative (JL-R012).
-    value("torque", |world| Some(world.motor.wanted_nm)),
-    value("motor_temperature", |world| Some(world.motor.celsius)),
+    value("torque", |world| Some(world.vcu.wanted_nm)),
+    value("motor_temperature", |world| world.vcu.heard.motor.celsius),
     flag("water_pump", |world| world.vcu.coolant_pump),
     flag("fan_low", |world| world.vcu.coolant_fan == 1),
     flag("fan_high", |world| world.vcu.coolant_fan == 2),
-    flag("air_pump", |world| world.compressor.running),
-    flag("air_conditioning", |world| world.hvac.on),
-    flag("handbrake", |world| world.driver.parking_brake),
+    flag("air_pump", |world| world.vcu.heard.parts.compressor_on),
+    flag("air_conditioning", |world| world.vcu.heard.parts.hvac_on),
+    flag("handbrake", |world| world.vcu.parking_brake),
     flag("foot_brake", |world| world.driver.brake > 0.0),
     flag("economy_mode", |world| world.driver.economy),
 ];
@@ -65,7 +112,7 @@ const VCU2: &[Row] = &[
     value("front_ptc_fan", ptc_fan),
     value("rear_ptc_fan", ptc_fan),
     value("charge_state", |world| {
-        let charge = world.bms.charge;
+        let charge = world.vcu.heard.battery.charge;
         word(
             &[
                 (!world.charger.plugged, 0.0),
@@ -80,22 +127,22 @@ const VCU2: &[Row] = &[
         word(
             &[
                 (world.charger.plugged, 1.0),
-                (world.vcu.limp || world.bms.limp, 4.0),
-                (driving && world.motor.watts < 0.0, 3.0),
+                (world.vcu.limp || world.vcu.heard.battery.limp, 4.0),
+                (driving && world.vcu.heard.motor.watts < 0.0, 3.0),
                 (driving, 2.0),
             ],
             0.0,
         )
     }),
     value("motor_fault_level", |world| level_down(motor_severity(world))),
-    value("battery_fault_level", |world| level_down(world.vcu.heard.severity)),
-    value("vcu_fault_level", |world| level_down(world.vcu.severity)),
+    value("battery_fault_level", |world| level_down(world.vcu.heard.battery.severity)),
+    value("vcu_fault_level", |world| level_down(world.vcu.own_severity)),
     fixed("water_pump_fault", 0.0),
     fixed("fan_fault", 0.0),
-    flag("air_pump_fault", |world| world.compressor.fault_code != 0),
+    flag("air_pump_fault", |world| world.vcu.heard.parts.compressor_code != 0),
     flag("aux_battery_low", auxiliary_low),
     flag("shift_failed", |world| world.vcu.shift_failed),
-    value("controller_temperature", |world| Some(world.motor.inverter_celsius)),
+    value("controller_temperature", |world| world.vcu.heard.motor.inverter_celsius),
     // Depth of the vacuum (JL-44); not known without a sensor (JL-R014).
     value("vacuum", |world| (!world.air.vacuum_sensor_fault).then_some(world.air.vacuum_kpa / KPA_PER_BAR)),
     value("soc", heard_soc),
@@ -105,44 +152,45 @@ const KPA_PER_BAR: f64 = 100.0;
 const BAR_PER_MPA: f64 = 10.0;
 
 fn ptc_fan(world: &World) -> Option<f64> {
-    (world.hvac.heating && world.hvac.fan > 0).then(|| f64::from(world.hvac.fan) - 1.0)
+    let fan = world.vcu.heard.parts.heating_fan;
+    (fan > 0).then(|| f64::from(fan) - 1.0)
 }
 
 const VCU3: &[Row] = &[
     value("vehicle_speed", speed),
     value("remaining_range", |world| Some(world.vcu.range_km)),
     // Negative in reverse (JL-R015).
-    value("motor_speed", |world| Some(world.motor.rpm)),
-    element("igbt_protection", protection, 0),
-    element("drive_supply_undervoltage", protection, 1),
-    element("bridge_shoot_through", protection, 2),
-    element("igbt_over_temperature", protection, 3),
-    element("motor_over_temperature", protection, 4),
-    element("bus_overcurrent", protection, 5),
-    element("phase_overcurrent", protection, 6),
-    element("control_undervoltage", protection, 7),
-    element("control_reversed", protection, 8),
-    element("control_overvoltage", protection, 9),
-    element("dq_overcurrent", protection, 10),
-    element("bus_undervoltage", protection, 11),
-    element("bus_overvoltage", protection, 12),
-    element("over_torque", protection, 13),
-    element("overload", protection, 14),
-    element("stall", protection, 15),
-    element("driver_over_temperature", protection, 16),
-    element("overspeed", protection, 17),
-    element("can_fault", protection, 18),
-    element("back_emf", protection, 19),
-    element("phase_loss", protection, 20),
-    element("resolver_fault", protection, 21),
-    element("hardware_shutdown", protection, 22),
+    value("motor_speed", |world| Some(world.vcu.heard.motor.rpm)),
+    element("igbt_protection", heard_protection, 0),
+    element("drive_supply_undervoltage", heard_protection, 1),
+    element("bridge_shoot_through", heard_protection, 2),
+    element("igbt_over_temperature", heard_protection, 3),
+    element("motor_over_temperature", heard_protection, 4),
+    element("bus_overcurrent", heard_protection, 5),
+    element("phase_overcurrent", heard_protection, 6),
+    element("control_undervoltage", heard_protection, 7),
+    element("control_reversed", heard_protection, 8),
+    element("control_overvoltage", heard_protection, 9),
+    element("dq_overcurrent", heard_protection, 10),
+    element("bus_undervoltage", heard_protection, 11),
+    element("bus_overvoltage", heard_protection, 12),
+    element("over_torque", heard_protection, 13),
+    element("overload", heard_protection, 14),
+    element("stall", heard_protection, 15),
+    element("driver_over_temperature", heard_protection, 16),
+    element("overspeed", heard_protection, 17),
+    element("can_fault", heard_protection, 18),
+    element("back_emf", heard_protection, 19),
+    element("phase_loss", heard_protection, 20),
+    element("resolver_fault", heard_protection, 21),
+    element("hardware_shutdown", heard_protection, 22),
 ];
 
 const VCU4: &[Row] = &[
-    value("motor_voltage", |world| Some(world.motor.link_volts)),
+    value("motor_voltage", |world| world.vcu.heard.motor.link_volts),
     // Negative while it charges (JL-R017).
-    value("phase_current", |world| Some(world.motor.phase_amps)),
-    value("phase_voltage", |world| Some(world.motor.phase_volts)),
+    value("phase_current", |world| Some(world.vcu.heard.motor.phase_amps)),
+    value("phase_voltage", |world| Some(world.vcu.heard.motor.phase_volts)),
     value("air_pressure_1", |world| bar(world, world.air.front_mpa)),
     value("air_pressure_2", |world| bar(world, world.air.rear_mpa)),
 ];
@@ -259,3 +307,9 @@ const CHARGER: &[Row] = &[
     flag("communication_fault", |world| world.charger.communication_fault),
     value("fault_level", |world| level_down(world.charger.severity)),
 ];
+
+/// Protection bit `place` as the motor controller told it.
+fn heard_protection(world: &World, place: usize) -> Option<f64> {
+    let bits = world.vcu.heard.motor.protections;
+    Some(f64::from(bits >> place.min(31) & 1))
+}

@@ -1,45 +1,24 @@
-//! What the documents make of the world: every message of every node, at its cycle.
+//! What goes out on the bus: every message of every node, at its cycle.
 //!
-//! Owns schedule, life counters and links: who is on the bus and how long who has not heard whom. What a message says
-//! are the tables of `bus`, `jiulong` and `c5ev`. Refuses to change anything but links and what is heard of the cluster.
-//! Phases are spread over each cycle by the seed, every frame is late by its own jitter; both follow from seed,
-//! identifier and count alone, so the same settings give the same frames. Asleep, nobody sends; the count of silence
-//! begins when a node has something to say, not while it sleeps.
+//! Owns schedule and life counters. What a message says are the tables of each vehicle's `wire`; who hears it is
+//! `hearing`'s. Phases are spread over each cycle by the seed, every frame is late by its own jitter; both follow from
+//! seed, identifier and count alone, so the same settings give the same frames. Asleep, nobody sends.
 //! Source: BUS-R005 to R010, R021, R061, R121; BUS-18 (two cycles); JL-R007 to R009, R020 to R022; C5-R002.
 //! Not supported: arbitration, errors and the time that a frame takes: those are the bus's, not the sender's.
 
-mod c5ev;
-mod citybus;
-mod jiulong;
-mod links;
-mod meter;
-mod rows;
-mod truth;
+pub(crate) mod links;
+pub(crate) mod rows;
+pub(crate) mod truth;
+pub(crate) mod unprinted;
 
-pub(crate) use links::CONTROLS;
-
-use crate::world::{NODE_COUNT, World};
-use crate::{Cycles, Kind, Options, STEP_MS, Sent};
+use crate::hearing::{self, NODES};
+use crate::vehicle::Definition;
+use crate::world::World;
+use crate::{Cycles, Options, STEP_MS, Sent};
 use protocol_core::CanFrame;
 use protocol_core::codec::{LifeKind, MessageInfo};
-use protocol_core::generated;
 use protocol_core::vehicle::Node;
 use rows::{Sheet, Slot};
-
-/// Nodes in the order of their number.
-const NODES: [Node; NODE_COUNT] = [
-    Node::Vcu,
-    Node::Inverter,
-    Node::Bms,
-    Node::Dcdc,
-    Node::Steering,
-    Node::Compressor,
-    Node::Hvac,
-    Node::Insulation,
-    Node::Charger,
-    Node::Contactors,
-    Node::Cluster,
-];
 
 /// Names of the nodes in the DBC files.
 const SENDERS: &[(&str, Node)] = &[
@@ -106,32 +85,16 @@ const fn mixed(seed: u64, count: u64) -> u64 {
     word ^ word >> 31
 }
 
-const fn sheets(kind: Kind) -> &'static [Sheet] {
-    match kind {
-        Kind::Citybus => citybus::SHEETS,
-        Kind::Jiulong => jiulong::SHEETS,
-        Kind::C5ev => c5ev::SHEETS,
-    }
-}
-
-const fn messages(kind: Kind) -> &'static [MessageInfo] {
-    match kind {
-        Kind::Citybus => generated::citybus::MESSAGES,
-        Kind::Jiulong => generated::jiulong::MESSAGES,
-        Kind::C5ev => generated::c5ev::MESSAGES,
-    }
-}
-
 /// Returns the schedule of a vehicle, and every name in the tables that does not fit its DBC.
-fn schedule(kind: Kind, options: Options) -> (Vec<Job>, Vec<String>) {
+fn schedule(vehicle: &Definition, options: Options) -> (Vec<Job>, Vec<String>) {
     let mut jobs: Vec<Job> = Vec::new();
     let mut problems = Vec::new();
-    for sheet in sheets(kind) {
-        if !messages(kind).iter().any(|info| sheet.frame_of(info.name).is_some()) {
-            problems.push(format!("{} has no message `{}`", kind.name(), sheet.message));
+    for sheet in vehicle.sheets {
+        if !vehicle.messages.iter().any(|info| sheet.frame_of(info.name).is_some()) {
+            problems.push(format!("{} has no message `{}`", vehicle.name, sheet.message));
         }
     }
-    for info in messages(kind) {
+    for info in vehicle.messages {
         let Some((_, node)) = SENDERS.iter().find(|(sender, _)| *sender == info.sender) else {
             problems.push(format!("{} is sent by `{}`, which is no node", info.name, info.sender));
             continue;
@@ -139,13 +102,14 @@ fn schedule(kind: Kind, options: Options) -> (Vec<Job>, Vec<String>) {
         if *node == Node::Cluster {
             continue;
         }
-        let sheet = sheets(kind).iter().find_map(|sheet| Some((sheet, sheet.frame_of(info.name)?)));
+        let sheet = vehicle.sheets.iter().find_map(|sheet| Some((sheet, sheet.frame_of(info.name)?)));
         let Some((sheet, frame)) = sheet else {
             problems.push(format!("{} has no table", info.name));
             continue;
         };
         let cycle_ms = match options.cycles {
             Cycles::Page => info.cycle_ms,
+            Cycles::Overview => sheet.overview_ms.unwrap_or(info.cycle_ms),
             Cycles::Slow => info.slow_cycle_ms.max(info.cycle_ms),
         };
         if cycle_ms == 0 {
@@ -189,92 +153,70 @@ fn schedule(kind: Kind, options: Options) -> (Vec<Job>, Vec<String>) {
 
 /// Every sender of a vehicle, and what they sent last.
 pub(crate) struct Wire {
-    kind: Kind,
     jobs: Vec<Job>,
     nodes: Vec<Node>,
     sent: Vec<Sent>,
+    /// The nodes hear one another at once; else a bus brings their frames back.
+    hears_itself: bool,
 }
 
 impl Wire {
     /// Builds the schedule; a name that does not fit its DBC leaves a signal not available, and fails a test.
-    pub(crate) fn new(kind: Kind, options: Options) -> Self {
-        let (jobs, _) = schedule(kind, options);
+    pub(crate) fn new(vehicle: &Definition, options: Options) -> Self {
+        let (jobs, _) = schedule(vehicle, options);
         let sends = |node: &Node| jobs.iter().any(|job| job.here && job.node == *node);
         let nodes = NODES.into_iter().filter(sends).collect();
-        Self { kind, jobs, nodes, sent: Vec::new() }
+        Self { jobs, nodes, sent: Vec::new(), hears_itself: true }
     }
 
     pub(crate) fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
+    /// From now on a bus brings back to the nodes what they send on it.
+    pub(crate) fn over_a_bus(&mut self) {
+        self.hears_itself = false;
+    }
+
     /// Sends what is due in the step that begins now.
-    pub(crate) fn step(&mut self, world: &mut World) {
+    pub(crate) fn step(&mut self, world: &mut World, vehicle: &Definition) {
         let end_us = (world.now_ms + STEP_MS) * 1_000;
-        let awake = world.is_awake();
+        let is_awake = world.is_awake();
+        let is_cut = |world: &World, node: Node| world.links.cut[node as usize];
+        let cluster_is_cut = is_cut(world, Node::Cluster);
         self.sent.clear();
-        if world.links.message_silence_ms.len() != self.jobs.len() {
-            world.links.message_silence_ms = self.jobs.iter().map(|job| (job.info.name, 0)).collect();
-        }
-        let mut on_duty = [false; NODE_COUNT];
-        // The cluster keeps its own hours.
-        on_duty[Node::Cluster as usize] = true;
-        let mut heard = [false; NODE_COUNT];
-        for (place, job) in self.jobs.iter_mut().enumerate() {
-            let due = awake && job.sheet.is_due(world, job.frame);
-            let sender = sender(world, job.node);
-            on_duty[sender as usize] |= due;
-            let cut = world.links.cut[sender as usize];
-            let lost = world.links.lost.contains(&job.info.name);
-            let mut went_out = false;
+        let mut inside = Vec::new();
+        for job in &mut self.jobs {
+            let is_due = is_awake && job.sheet.is_due(world, job.frame);
+            let is_lost = world.links.lost.contains(&job.info.name);
+            let here = job.here && (job.sheet.here)(world);
+            let sender = if here { sender(world, job.node) } else { job.node };
             while job.at_us() < end_us {
                 let at_us = job.at_us();
-                if due && !cut && !lost {
-                    let frame = job.frame(world);
-                    heard[sender as usize] = true;
-                    went_out = true;
-                    if job.here && !world.links.cut[Node::Cluster as usize] {
-                        self.sent.push(Sent { at_us, node: sender, frame });
-                    }
-                }
                 job.count += 1;
-            }
-            let (_, silence) = &mut world.links.message_silence_ms[place];
-            if due && !went_out {
-                World::count(silence);
-            } else {
-                *silence = 0;
+                if !is_due || is_lost || is_cut(world, sender) {
+                    continue;
+                }
+                let frame = job.frame(world);
+                (job.sheet.sent)(world);
+                if here && !cluster_is_cut {
+                    self.sent.push(Sent { at_us, node: sender, frame });
+                } else {
+                    inside.push(frame);
+                }
             }
         }
         self.sent.sort_by_key(|sent| sent.at_us);
-        count_silence(world, on_duty, heard);
-        World::count(&mut world.meter.silent_ms);
+        if self.hears_itself {
+            inside.extend(self.sent.iter().map(|sent| sent.frame));
+        }
+        for frame in &inside {
+            hearing::deliver(world, vehicle, frame);
+        }
     }
 
     pub(crate) fn take(&mut self) -> Vec<Sent> {
         std::mem::take(&mut self.sent)
-    }
-
-    /// Lets every node that is on the bus hear a frame of the cluster.
-    pub(crate) fn receive(&mut self, world: &mut World, frame: &CanFrame) {
-        if world.links.cut[Node::Cluster as usize] {
-            return;
-        }
-        let mut said = world.meter;
-        if !meter::hear(self.kind, &mut said, frame) {
-            return;
-        }
-        for (to, silence) in world.links.silence_ms.iter_mut().enumerate() {
-            if !world.links.cut[to] {
-                silence[Node::Cluster as usize] = 0;
-            }
-        }
-        // What the cluster says is for the vehicle controller.
-        if !world.links.cut[Node::Vcu as usize] {
-            world.meter = said;
-            world.meter.silent_ms = 0;
-            world.meter.frames += 1;
-        }
     }
 }
 
@@ -283,31 +225,21 @@ fn sender(world: &World, node: Node) -> Node {
     if node == Node::Inverter && world.motor.own_bus { Node::Vcu } else { node }
 }
 
-/// Counts how long nobody has heard whom; who has nothing to say now is not missed.
-fn count_silence(world: &mut World, on_duty: [bool; NODE_COUNT], heard: [bool; NODE_COUNT]) {
-    for (to, silences) in world.links.silence_ms.iter_mut().enumerate() {
-        let deaf = world.links.cut[to];
-        for (from, silence) in silences.iter_mut().enumerate() {
-            if heard[from] && !deaf || !on_duty[from] {
-                *silence = 0;
-            } else {
-                World::count(silence);
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Kind;
+    use protocol_core::generated;
 
     #[test]
     fn every_signal_of_every_message_has_one_row_of_its_name() {
         for kind in Kind::ALL {
             for optional in [false, true] {
-                let (jobs, problems) = schedule(kind, Options { optional, ..Options::default() });
+                let (jobs, problems) =
+                    schedule(kind.definition(), Options { optional, ..Options::default() });
                 assert_eq!(problems, Vec::<String>::new(), "{}", kind.name());
-                let others = messages(kind).iter().filter(|info| info.sender != "Cluster").count();
+                let others =
+                    kind.definition().messages.iter().filter(|info| info.sender != "Cluster").count();
                 assert!(!optional || jobs.len() == others, "{}: {} of {others}", kind.name(), jobs.len());
             }
         }

@@ -1,7 +1,7 @@
 //! A message as a table: for each signal, what in the world it tells.
 //!
 //! Owns the shape of the tables, how a physical value becomes a raw one, and the resolving of names against the
-//! generated metadata. Refuses to know any message: those are rows of `bus`, `jiulong` and `c5ev`.
+//! generated metadata. Refuses to know any message: those are rows of each vehicle's `wire`.
 //! Source: BUS-R005 to R009 (order, fill, scaling), BUS-R021, R061, R121 and JL-R009 (life counters).
 
 use crate::world::World;
@@ -9,7 +9,7 @@ use protocol_core::codec::{LifeKind, MessageInfo, Mux, SignalInfo};
 
 /// Where the value of a signal comes from; all in the signal's physical unit, a word as its number.
 #[derive(Clone, Copy)]
-pub(super) enum Source {
+pub(crate) enum Source {
     /// From the world; `None` is sent as the signal's "not available".
     World(fn(&World) -> Option<f64>),
     /// A flag of the world.
@@ -28,84 +28,114 @@ pub(super) enum Source {
 
 /// One signal.
 #[derive(Clone, Copy)]
-pub(super) struct Row {
+pub(crate) struct Row {
     /// Name in the DBC.
-    pub(super) signal: &'static str,
+    pub(crate) signal: &'static str,
     /// What it tells.
-    pub(super) source: Source,
+    pub(crate) source: Source,
 }
 
 /// A number or a word.
-pub(super) const fn value(signal: &'static str, of: fn(&World) -> Option<f64>) -> Row {
+pub(crate) const fn value(signal: &'static str, of: fn(&World) -> Option<f64>) -> Row {
     Row { signal, source: Source::World(of) }
 }
 
 /// A flag.
-pub(super) const fn flag(signal: &'static str, of: fn(&World) -> bool) -> Row {
+pub(crate) const fn flag(signal: &'static str, of: fn(&World) -> bool) -> Row {
     Row { signal, source: Source::Flag(of) }
 }
 
 /// Element `place` of a list.
-pub(super) const fn element(signal: &'static str, of: fn(&World, usize) -> Option<f64>, place: usize) -> Row {
+pub(crate) const fn element(signal: &'static str, of: fn(&World, usize) -> Option<f64>, place: usize) -> Row {
     Row { signal, source: Source::Element(of, place) }
 }
 
 /// A bit that the world knows by its place in the frame.
-pub(super) const fn bit(signal: &'static str, of: fn(&World, u8) -> bool) -> Row {
+pub(crate) const fn bit(signal: &'static str, of: fn(&World, u8) -> bool) -> Row {
     Row { signal, source: Source::Bit(of) }
 }
 
 /// A fact of this vehicle, or the value of a function that it is built without.
-pub(super) const fn fixed(signal: &'static str, number: f64) -> Row {
+pub(crate) const fn fixed(signal: &'static str, number: f64) -> Row {
     Row { signal, source: Source::Fixed(number) }
 }
 
 /// A table that comes in many frames.
 #[derive(Clone, Copy)]
-pub(super) struct Series {
+pub(crate) struct Series {
     /// Elements of one frame.
-    pub(super) per_frame: usize,
+    pub(crate) per_frame: usize,
     /// Elements that there are now.
-    pub(super) elements: fn(&World) -> usize,
+    pub(crate) elements: fn(&World) -> usize,
 }
 
 /// One message, or all messages of a series.
 #[derive(Clone, Copy)]
-pub(super) struct Sheet {
+pub(crate) struct Sheet {
     /// Name in the DBC; of a series, the name without its number.
-    pub(super) message: &'static str,
+    pub(crate) message: &'static str,
     /// The signals but for the life counter.
-    pub(super) rows: &'static [Row],
+    pub(crate) rows: &'static [Row],
     /// When its sender sends it while the vehicle is awake.
-    pub(super) when: fn(&World) -> bool,
+    pub(crate) when: fn(&World) -> bool,
     /// The tables that it is a part of.
-    pub(super) series: Option<Series>,
+    pub(crate) series: Option<Series>,
     /// Is on another bus, unless the vehicle is built with its optional messages.
-    pub(super) elsewhere: bool,
+    pub(crate) elsewhere: bool,
+    /// Is on the cluster's bus only while this holds; else on one of its own.
+    pub(crate) here: fn(&World) -> bool,
+    /// What its sender keeps of having sent it.
+    pub(crate) sent: fn(&mut World),
+    /// Cycle in the overview where that is another than on the page, in milliseconds (BUS-18).
+    pub(crate) overview_ms: Option<u32>,
 }
 
 impl Sheet {
-    pub(super) const fn of(message: &'static str, rows: &'static [Row]) -> Self {
-        Self { message, rows, when: |_| true, series: None, elsewhere: false }
+    pub(crate) const fn of(message: &'static str, rows: &'static [Row]) -> Self {
+        Self {
+            message,
+            rows,
+            when: |_| true,
+            series: None,
+            elsewhere: false,
+            here: |_| true,
+            sent: |_| (),
+            overview_ms: None,
+        }
     }
 
     /// Sent only when this holds.
-    pub(super) const fn only(self, when: fn(&World) -> bool) -> Self {
+    pub(crate) const fn only(self, when: fn(&World) -> bool) -> Self {
         Self { when, ..self }
     }
 
     /// Comes as frames 1, 2, ... of `per_frame` elements each.
-    pub(super) const fn series(self, per_frame: usize, elements: fn(&World) -> usize) -> Self {
+    pub(crate) const fn series(self, per_frame: usize, elements: fn(&World) -> usize) -> Self {
         Self { series: Some(Series { per_frame, elements }), ..self }
     }
 
     /// Travels on a bus that the cluster is not on.
-    pub(super) const fn elsewhere(self) -> Self {
+    pub(crate) const fn elsewhere(self) -> Self {
         Self { elsewhere: true, ..self }
     }
 
+    /// Travels on the cluster's bus only while this holds.
+    pub(crate) const fn here(self, here: fn(&World) -> bool) -> Self {
+        Self { here, ..self }
+    }
+
+    /// Lets its sender keep what it has sent.
+    pub(crate) const fn sent(self, sent: fn(&mut World)) -> Self {
+        Self { sent, ..self }
+    }
+
+    /// Has this cycle in the overview, in milliseconds.
+    pub(crate) const fn overview(self, ms: u32) -> Self {
+        Self { overview_ms: Some(ms), ..self }
+    }
+
     /// Returns the frame of the series that message `name` is, from 0; `None` if it is not of this sheet.
-    pub(super) fn frame_of(&self, name: &str) -> Option<usize> {
+    pub(crate) fn frame_of(&self, name: &str) -> Option<usize> {
         if self.series.is_none() {
             return (name == self.message).then_some(0);
         }
@@ -114,14 +144,14 @@ impl Sheet {
     }
 
     /// Returns whether frame `frame` is sent now.
-    pub(super) fn is_due(&self, world: &World, frame: usize) -> bool {
+    pub(crate) fn is_due(&self, world: &World, frame: usize) -> bool {
         let has = self.series.is_none_or(|series| frame * series.per_frame < (series.elements)(world));
         has && (self.when)(world)
     }
 }
 
 /// A signal with its metadata.
-pub(super) struct Slot {
+pub(crate) struct Slot {
     info: &'static SignalInfo,
     source: Source,
 }
@@ -129,7 +159,7 @@ pub(super) struct Slot {
 /// Pairs each signal of a message with its row, selectors first.
 ///
 /// Says in `problems` which names do not fit; such a signal is sent as not available.
-pub(super) fn resolve(info: &'static MessageInfo, rows: &[Row], problems: &mut Vec<String>) -> Vec<Slot> {
+pub(crate) fn resolve(info: &'static MessageInfo, rows: &[Row], problems: &mut Vec<String>) -> Vec<Slot> {
     for (place, row) in rows.iter().enumerate() {
         if info.signal(row.signal).is_none() {
             problems.push(format!("{} has no signal `{}`", info.name, row.signal));
@@ -161,7 +191,7 @@ pub(super) fn resolve(info: &'static MessageInfo, rows: &[Row], problems: &mut V
 }
 
 /// Returns the 8 bytes of a message as the world is; `first` is the place of the frame's first element.
-pub(super) fn encode(info: &MessageInfo, slots: &[Slot], world: &World, first: usize, life: u8) -> [u8; 8] {
+pub(crate) fn encode(info: &MessageInfo, slots: &[Slot], world: &World, first: usize, life: u8) -> [u8; 8] {
     let mut data = info.fill;
     for slot in slots {
         if !info.carries(slot.info, &data) {
@@ -185,7 +215,7 @@ pub(super) fn encode(info: &MessageInfo, slots: &[Slot], world: &World, first: u
 }
 
 /// Returns the nearest raw value that is valid; what is not known is sent as "not available", else as the start value.
-pub(super) fn raw_of(signal: &SignalInfo, number: Option<f64>) -> i64 {
+pub(crate) fn raw_of(signal: &SignalInfo, number: Option<f64>) -> i64 {
     let Some(number) = number.filter(|number| number.is_finite()) else {
         return signal.invalid_raw.unwrap_or(signal.start_raw);
     };
@@ -196,17 +226,17 @@ pub(super) fn raw_of(signal: &SignalInfo, number: Option<f64>) -> i64 {
 }
 
 /// Returns the kind of the life counter of a message.
-pub(super) fn life_of(slots: &[Slot]) -> Option<LifeKind> {
+pub(crate) fn life_of(slots: &[Slot]) -> Option<LifeKind> {
     slots.iter().find_map(|slot| if let Source::Life(kind) = slot.source { Some(kind) } else { None })
 }
 
 /// Returns the first value of a life counter.
-pub(super) const fn first_life(kind: Option<LifeKind>) -> u8 {
+pub(crate) const fn first_life(kind: Option<LifeKind>) -> u8 {
     if matches!(kind, Some(LifeKind::From1To255)) { 1 } else { 0 }
 }
 
 /// Returns what follows in a life counter.
-pub(super) const fn next_life(kind: Option<LifeKind>, life: u8) -> u8 {
+pub(crate) const fn next_life(kind: Option<LifeKind>, life: u8) -> u8 {
     match kind {
         None => 0,
         Some(LifeKind::From0To255) => life.wrapping_add(1),

@@ -1,0 +1,65 @@
+//! The car as figures.
+//!
+//! The document prints none of them but the switches of behaviour: they are what vehicles of this class have.
+
+use super::faults;
+use crate::spec::{Battery, Spec};
+use protocol_core::states::Gear;
+
+/// The vehicle.
+pub(super) static SPEC: Spec = Spec {
+    mass_kg: 1_200.0,
+    rotating: 1.05,
+    drag: 0.42,
+    rolling: 0.011,
+    wheel_m: 0.29,
+    ratio: 8.3,
+    max_nm: 160.0,
+    max_watts: 45_000.0,
+    regeneration_watts: 20_000.0,
+    idle_watts: 80.0,
+    top_kmh: 120.0,
+    top_reverse_kmh: 20.0,
+    brake_newton: 9_600.0,
+    coast: 0.6,
+    limp_watts: 10_000.0,
+    link_volts: 320.0,
+    low_volts: 12.0,
+    low_watts: 220.0,
+    low_ah: 45.0,
+    steering_watts: 250.0,
+    compressor_watts: 0.0,
+    hvac_watts: 1_800.0,
+    cabin: 60_000.0,
+    joules_per_metre: 420.0,
+    gears: &[Gear::N, Gear::D, Gear::R, Gear::P],
+    has_air: false,
+    has_vacuum: false,
+    has_buzzer: true,
+    forwards_battery: false,
+    serves_charging: false,
+    derated_top: 1.0,
+    cells_per_box: 10,
+    protections: [0, 1, 2],
+    battery: Battery {
+        cells: 100,
+        probes: 16,
+        capacity_ah: 60.0,
+        cell_ohm: 0.001,
+        joules_per_kelvin: 0.4e6,
+        watts_per_kelvin: 15.0,
+        heater_watts: 600.0,
+        discharge_amps: 200.0,
+        charge_amps: 80.0,
+        link_farad: 0.001,
+        precharge_ohm: 150.0,
+        charger_amps: 10.0,
+        own_charge_relays: false,
+        measures_link: true,
+        bounds_the_charger: true,
+    },
+    faults: faults::ROWS,
+    extremes: &[],
+    fire_code: None,
+    apart: None,
+};

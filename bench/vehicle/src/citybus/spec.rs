@@ -1,0 +1,65 @@
+//! The city bus as figures.
+//!
+//! The document prints none of them but the switches of behaviour: they are what vehicles of this class have.
+
+use super::faults;
+use crate::spec::{Battery, Spec};
+use protocol_core::states::Gear;
+
+/// The vehicle.
+pub(super) static SPEC: Spec = Spec {
+    mass_kg: 13_000.0,
+    rotating: 1.05,
+    drag: 2.9,
+    rolling: 0.008,
+    wheel_m: 0.48,
+    ratio: 5.5,
+    max_nm: 2_500.0,
+    max_watts: 150_000.0,
+    regeneration_watts: 110_000.0,
+    idle_watts: 300.0,
+    top_kmh: 80.0,
+    top_reverse_kmh: 15.0,
+    brake_newton: 78_000.0,
+    coast: 0.4,
+    limp_watts: 30_000.0,
+    link_volts: 540.0,
+    low_volts: 24.0,
+    low_watts: 900.0,
+    low_ah: 180.0,
+    steering_watts: 2_200.0,
+    compressor_watts: 3_000.0,
+    hvac_watts: 9_000.0,
+    cabin: 400_000.0,
+    joules_per_metre: 3_200.0,
+    gears: &[Gear::N, Gear::D, Gear::R],
+    has_air: true,
+    has_vacuum: false,
+    has_buzzer: false,
+    forwards_battery: true,
+    serves_charging: true,
+    derated_top: 1.0,
+    cells_per_box: 12,
+    protections: [4, 5, 6],
+    battery: Battery {
+        cells: 168,
+        probes: 24,
+        capacity_ah: 300.0,
+        cell_ohm: 0.000_4,
+        joules_per_kelvin: 2.0e6,
+        watts_per_kelvin: 60.0,
+        heater_watts: 4_000.0,
+        discharge_amps: 400.0,
+        charge_amps: 200.0,
+        link_farad: 0.004,
+        precharge_ohm: 100.0,
+        charger_amps: 100.0,
+        own_charge_relays: true,
+        measures_link: false,
+        bounds_the_charger: false,
+    },
+    faults: faults::ROWS,
+    extremes: faults::EXTREMES,
+    fire_code: Some(faults::FIRE_CODE),
+    apart: None,
+};
