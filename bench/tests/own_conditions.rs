@@ -47,7 +47,7 @@ fn a_wrong_recognition_says_so_for_as_long_as_the_bus_contradicts_it() {
     // Once each: what a tester of another vehicle, or a log played into the wrong bus, may send.
     let strays = [0x1802_28D0, 0x1803_28D0, 0x1804_28D0].into_iter().zip(0..).map(|(id, index)| {
         let frame = Frame::new(Id::extended(id).expect("29 bits"), &[0; 8]).expect("8 bytes");
-        Entry { at: Nanos::from_millis(10 * index), frame, line: 0 }
+        Entry { at: Nanos::from_millis(10 * index), frame, line: 0, channel: 0 }
     });
     let later = |entry: &mut Entry| entry.at += Nanos::from_millis(500);
     log.entries.iter_mut().for_each(later);

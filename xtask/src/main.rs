@@ -13,6 +13,8 @@
 mod ci;
 mod codecs;
 mod codegen;
+mod convert;
+mod corpus;
 mod coverage;
 mod dbc;
 mod decode;
@@ -76,6 +78,10 @@ enum Command {
     Replay(replay::Options),
     /// Decodes a recording or a live bus to signals, as text, JSON lines or CSV.
     Decode(decode::Options),
+    /// Writes a recording in another form: candump, Vector ASC or python-can's CSV.
+    Convert(convert::Options),
+    /// Reads a folder of other people's files and prints what became of each, beside an independent reader.
+    Corpus(corpus::Options),
     /// Makes the frame of a message from the values of its signals.
     Encode(encode::Options),
     /// Lints DBC files and names file and line of everything that is wrong or missing.
@@ -115,7 +121,12 @@ impl Command {
     fn needs_checkout(&self) -> bool {
         let works_anywhere = matches!(
             self,
-            Self::Vehicle(_) | Self::Replay(_) | Self::Decode(_) | Self::Encode(_) | Self::Listen(_)
+            Self::Vehicle(_)
+                | Self::Replay(_)
+                | Self::Decode(_)
+                | Self::Convert(_)
+                | Self::Encode(_)
+                | Self::Listen(_)
         );
         !works_anywhere
     }
@@ -140,6 +151,8 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Scenario(options) => scenario::run(&options),
         Command::Replay(options) => replay::run(&options),
         Command::Decode(options) => decode::run(&options),
+        Command::Convert(options) => convert::run(&options),
+        Command::Corpus(options) => corpus::run(&options),
         Command::Encode(options) => encode::run(&options),
         Command::Dbc(options) => dbc::run(&options),
         Command::Screens(options) => screens::run(&options),

@@ -52,17 +52,27 @@ impl Tables {
     /// # Errors
     /// If no vehicle has that name, or none has any of the identifiers.
     pub fn of_log(log: &Log, wanted: Option<&str>) -> Result<Self> {
+        Self::of_frames(log.entries.iter().map(|entry| (entry.frame.id, 1)), wanted)
+    }
+
+    /// Returns the vehicle that most frames belong to, or the one `wanted` by name; the frames are identifiers and how
+    /// many frames have them.
+    ///
+    /// # Errors
+    /// If no vehicle has that name, or none has any of the identifiers.
+    pub fn of_frames(ids: impl Iterator<Item = (Id, usize)>, wanted: Option<&str>) -> Result<Self> {
         if let Some(name) = wanted {
             return Self::named(name);
         }
+        let ids: Vec<(CanId, usize)> = ids.map(|(id, frames)| (can_id(id), frames)).collect();
         let heard = |tables: &Self| {
-            let ids = log.entries.iter().map(|entry| can_id(entry.frame.id));
-            ids.filter(|id| tables.message(*id).is_some()).count()
+            let known = ids.iter().filter(|(id, _)| tables.message(*id).is_some());
+            known.map(|(_, frames)| frames).sum::<usize>()
         };
         let best = Self::all().map(|tables| (heard(&tables), tables)).max_by_key(|(count, _)| *count);
         match best {
             Some((count, tables)) if count > 0 => Ok(tables),
-            _ => bail!(no_vehicle(log.entries.iter().map(|entry| can_id(entry.frame.id)))),
+            _ => bail!(no_vehicle(ids.iter().map(|(id, _)| *id))),
         }
     }
 
