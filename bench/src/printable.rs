@@ -37,7 +37,10 @@ mod tests {
 
     #[test]
     fn what_a_terminal_obeys_is_escaped_and_the_rest_stays() {
-        assert_eq!(printable("a\u{1b}[2J\u{9b}2J\u{7f}\r\n°温\u{202e}"), "a\\u{1b}[2J\\u{9b}2J\\u{7f}\\r\\n°温\\u{202e}");
+        assert_eq!(
+            printable("a\u{1b}[2J\u{9b}2J\u{7f}\r\n°温\u{202e}"),
+            "a\\u{1b}[2J\\u{9b}2J\\u{7f}\\r\\n°温\\u{202e}"
+        );
         assert_eq!(printable_lines("a\tb\n\u{7}c\r\n"), "a\tb\n\\u{7}c\\r\n");
     }
 }

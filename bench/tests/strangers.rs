@@ -31,7 +31,12 @@ fn noise(ids: &[u16]) -> Log {
     let entries = (0..frames).map(|index| {
         let id = Id::standard(ids[index as usize % ids.len()]).expect("11 bits");
         let data = index.wrapping_mul(0x9E37_79B9_7F4A_7C15).to_le_bytes();
-        Entry { at: Nanos(index * SPACING.0), frame: Frame::new(id, &data).expect("8 bytes"), line: 0, channel: 0 }
+        Entry {
+            at: Nanos(index * SPACING.0),
+            frame: Frame::new(id, &data).expect("8 bytes"),
+            line: 0,
+            channel: 0,
+        }
     });
     Log::of(entries.collect())
 }

@@ -1,11 +1,13 @@
 //! Prints the records that a cluster sends on its UART.
 //!
-//! Reads bytes from a serial port, which it sets up, from a file or from standard input. Noise is counted and skipped: the decoder finds the next record by itself. Faults are told again and again for whoever
+//! Reads bytes from a serial port, which it sets up, from a file or from standard input. Noise is counted and skipped: the
+//! decoder finds the next record by itself. Texts are printed as they cannot steer a terminal. Faults are told again and again for whoever
 //! comes late; printed is each of them once, and again when something about it has changed.
 
 use crate::out::{self, note};
 use crate::words::{page, word};
 use anyhow::{Context, Result, bail};
+use bench::printable::printable;
 use clap::Args;
 use cluster::Source;
 use protocol_core::Value;
@@ -166,7 +168,8 @@ fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::i
         Record::Hello { version, vehicle, build } => {
             let vehicle =
                 if vehicle.as_str().is_empty() { "a vehicle not known yet" } else { vehicle.as_str() };
-            writeln!(out, "hello   firmware {} for {vehicle}, build {build:08x}", version.as_str())
+            let (version, vehicle) = (printable(version.as_str()), printable(vehicle));
+            writeln!(out, "hello   firmware {version} for {vehicle}, build {build:08x}")
         }
         Record::Health(health) => write_health(health, out),
         Record::Values { first, items } => {
@@ -179,7 +182,7 @@ fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::i
             Ok(())
         }
         Record::Shown(screen) => write_screen(screen, out),
-        Record::Panic { line, text } => writeln!(out, "panic   line {line}: {}", text.as_str()),
+        Record::Panic { line, text } => writeln!(out, "panic   line {line}: {}", printable(text.as_str())),
         Record::Trips(trips) => write_trips(trips, out),
         Record::Active { count, fault } => {
             if told.active.replace(*count) != Some(*count) {

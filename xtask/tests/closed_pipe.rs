@@ -34,6 +34,8 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("build", "builds the firmware"),
     ("ci", "the steps of `test` and of all others"),
     ("codecs", "builds programs for the chip"),
+    ("convert", "writes a file and prints one line: tools_recordings.rs"),
+    ("corpus", "reads other people's files, which are not here"),
     ("coverage", "builds the tests anew"),
     ("figures", "builds the firmware and drives it for minutes"),
     ("flash", "prints by the board: tools_flash.rs"),

@@ -77,7 +77,6 @@ impl ReadLine for Asc {
 }
 
 impl Asc {
-
     /// `base hex timestamps absolute`
     fn read_base(&mut self, lower: &str) -> Read<()> {
         let words: Vec<&str> = lower.split_whitespace().collect();

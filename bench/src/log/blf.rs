@@ -36,14 +36,8 @@ const TEN_MICROS: u32 = 1;
 const CONTAINERS: u32 = 10;
 
 /// Types of the objects that are read, and how.
-const MESSAGES: &[(u32, fn(&[u8]) -> Option<(String, What)>)] = &[
-    (1, message),
-    (86, message),
-    (2, bus_error),
-    (73, bus_error),
-    (100, fd_message),
-    (101, fd_message_64),
-];
+const MESSAGES: &[(u32, fn(&[u8]) -> Option<(String, What)>)] =
+    &[(1, message), (86, message), (2, bus_error), (73, bus_error), (100, fd_message), (101, fd_message_64)];
 
 /// The objects of one file.
 pub(super) struct Blf {
@@ -67,7 +61,8 @@ impl Blf {
             self.is_begun = true;
             let head = self.take(8)?.ok_or("the head is cut off")?;
             let length = number(&head, 4, 4).ok_or("the head is cut off")? as usize;
-            let rest = length.checked_sub(8).filter(|rest| *rest <= SIZE_MAX).ok_or("the head has no length")?;
+            let rest =
+                length.checked_sub(8).filter(|rest| *rest <= SIZE_MAX).ok_or("the head has no length")?;
             self.take(rest)?.ok_or("the head is cut off")?;
         }
         loop {
@@ -86,11 +81,8 @@ impl Blf {
     /// Returns the next object that is unpacked and whole.
     fn object(&mut self) -> Read<Option<Vec<u8>>> {
         let rest = &self.objects[self.at..];
-        if rest.len() < BASE + PADDING_MAX {
-            // Only at the very end is an object that near to it; there is padding behind.
-            if rest.len() < BASE {
-                return Ok(None);
-            }
+        if rest.len() < BASE {
+            return Ok(None);
         }
         let window = &rest[..rest.len().min(PADDING_MAX + OBJECT.len())];
         let start = window.windows(OBJECT.len()).position(|bytes| bytes == OBJECT);

@@ -148,9 +148,9 @@ impl Length<'_> {
                 [digit @ b'0'..=b'8'] => Ok(Some(digit - b'0')),
                 _ => Err(Problem::of(text, format!("{} is not a length of 0 to 8", quoted(text)))),
             },
-            Self::Code(text) => hex_byte(1..=1)(text).map(Some).ok_or_else(|| {
-                Problem::of(text, format!("{} is not a length code of 0 to F", quoted(text)))
-            }),
+            Self::Code(text) => hex_byte(1..=1)(text)
+                .map(Some)
+                .ok_or_else(|| Problem::of(text, format!("{} is not a length code of 0 to F", quoted(text)))),
         }
     }
 }
@@ -204,8 +204,8 @@ fn stamp(text: &str) -> Read<Stamp> {
     if let Some((date, clock)) = text.split_once(' ') {
         let seconds = date_seconds(date).zip(time_of_day(clock, '.').ok());
         let nanos = seconds.map(|(seconds, of_day)| seconds * 1_000_000_000 + of_day);
-        let nanos =
-            nanos.ok_or_else(|| Problem::of(text, format!("{} is neither seconds nor a date", quoted(text))))?;
+        let nanos = nanos
+            .ok_or_else(|| Problem::of(text, format!("{} is neither seconds nor a date", quoted(text))))?;
         return Ok(Stamp { nanos, evidence: Evidence::Absolute });
     }
     let nanos = seconds(text)?;

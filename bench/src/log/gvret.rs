@@ -57,7 +57,9 @@ impl ReadLine for Gvret {
             self.columns = Some(Columns::of(line)?);
             return Ok(Line::Blank);
         }
-        let (Some(columns), true) = (self.columns, line.contains(',')) else { return Ok(Line::Foreign(None)) };
+        let (Some(columns), true) = (self.columns, line.contains(',')) else {
+            return Ok(Line::Foreign(None));
+        };
         let words: Vec<&str> = line.split(',').map(str::trim).collect();
         let word = |column: usize| {
             let word = words.get(column).copied();

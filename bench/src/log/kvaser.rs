@@ -3,9 +3,7 @@
 //! Flags: X = 29 bits, R = remote request. Source: files of its users, SavvyCAN's loader.
 
 use super::line::{Event, Line, What, counted};
-use super::token::{
-    Evidence, Problem, Read, count, hex, identifier, is_digits, quoted, seconds,
-};
+use super::token::{Evidence, Problem, Read, count, hex, identifier, is_digits, quoted, seconds};
 use crate::can::Frame;
 
 pub(super) fn looks_like(line: &str) -> bool {

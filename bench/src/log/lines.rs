@@ -36,7 +36,9 @@ impl Lines {
     /// The lines of a stream that begins with `start`.
     pub(super) fn new(start: &[u8], bytes: Box<dyn Read + Send>) -> Self {
         let bytes: Box<dyn BufRead + Send> = match wide(start) {
-            Some(is_big) => Box::new(BufReader::new(Utf16 { bytes: BufReader::new(bytes), is_big, high: None })),
+            Some(is_big) => {
+                Box::new(BufReader::new(Utf16 { bytes: BufReader::new(bytes), is_big, high: None }))
+            }
             None => Box::new(BufReader::with_capacity(1 << 16, bytes)),
         };
         Self { bytes, line: Vec::new(), after_cr: false }
@@ -62,7 +64,9 @@ impl Lines {
             self.after_cr = end.is_some_and(|end| held[end] == b'\r');
             self.bytes.consume(used);
             if self.line.len() > LINE_MAX {
-                return Err(io::Error::other(format!("a line of more than {LINE_MAX} bytes: not a text log")));
+                return Err(io::Error::other(format!(
+                    "a line of more than {LINE_MAX} bytes: not a text log"
+                )));
             }
             if end.is_some() {
                 return Ok(Some(self.text(true)));

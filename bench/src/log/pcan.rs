@@ -69,7 +69,10 @@ impl Pcan {
         if let Some(version) = text.strip_prefix("$FILEVERSION=") {
             let known = COLUMNS.iter().find(|(known, _)| *known == version.trim());
             let (_, columns) = known.ok_or_else(|| {
-                Problem::of(version, format!("{} is not a version that is known (1.0 to 2.1)", quoted(version)))
+                Problem::of(
+                    version,
+                    format!("{} is not a version that is known (1.0 to 2.1)", quoted(version)),
+                )
             })?;
             self.columns = (*columns).to_owned();
         } else if let Some(columns) = text.strip_prefix("$COLUMNS=") {
@@ -120,7 +123,8 @@ impl ReadLine for Pcan {
             4 => false,
             8 => true,
             n => {
-                let problem = format!("identifier {} has {n} digits; 4 for 11 bits, 8 for 29 bits", quoted(text));
+                let problem =
+                    format!("identifier {} has {n} digits; 4 for 11 bits, 8 for 29 bits", quoted(text));
                 return Err(Problem::of(text, problem));
             }
         };

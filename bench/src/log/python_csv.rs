@@ -41,8 +41,7 @@ pub(super) fn read(line: &str) -> Read<Line> {
         let code = u8::try_from(length).ok().filter(|code| *code <= 15);
         return event(What::Frame(Frame::new_remote(id, code.ok_or("a length code above 15")?)));
     }
-    let bytes =
-        decoded(data).ok_or_else(|| Problem::of(data, format!("{} is not base64", quoted(data))))?;
+    let bytes = decoded(data).ok_or_else(|| Problem::of(data, format!("{} is not base64", quoted(data))))?;
     if bytes.len() > 8 {
         return event(What::FdFrame);
     }

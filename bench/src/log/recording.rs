@@ -189,7 +189,11 @@ impl Recording {
         let is_meant = |channel: usize| {
             self.channel.as_ref().is_none_or(|meant| *meant == self.heard.channels[channel].0)
         };
-        self.heard.ids.iter().filter(move |((channel, _), _)| is_meant(*channel)).map(|((_, id), n)| (*id, *n))
+        self.heard
+            .ids
+            .iter()
+            .filter(move |((channel, _), _)| is_meant(*channel))
+            .map(|((_, id), n)| (*id, *n))
     }
 
     /// Starts to give the frames.
@@ -332,7 +336,9 @@ impl Entries {
     pub fn notes(&self) -> Vec<String> {
         let mut notes = notes(&self.pass.reader, &self.placer);
         let is_mixed = self.placer.keeps_all();
-        notes.extend(self.shared.iter().filter(|_| is_mixed).map(|shared| format!("channels are mixed: {shared}")));
+        notes.extend(
+            self.shared.iter().filter(|_| is_mixed).map(|shared| format!("channels are mixed: {shared}")),
+        );
         notes
     }
 }

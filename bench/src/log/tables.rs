@@ -39,8 +39,10 @@ pub(super) fn looks_like_usb_can(line: &str) -> bool {
 }
 
 pub(super) fn read_usb_can(line: &str) -> Read<Line> {
-    let words: Vec<&str> =
-        line.split(|sign: char| sign.is_whitespace() || sign == '\0').filter(|word| !word.is_empty()).collect();
+    let words: Vec<&str> = line
+        .split(|sign: char| sign.is_whitespace() || sign == '\0')
+        .filter(|word| !word.is_empty())
+        .collect();
     let ["Receive" | "Send" | "Transmit", time, kind, "frame", format, "frame", id, length, data @ ..] =
         words.get(1..).unwrap_or(&[])
     else {

@@ -461,7 +461,8 @@ fn the_table_whose_head_names_can_speeds_is_read() {
     let other = text.replace("\tSt\t0x112", "\tEx\t0x112");
     assert_eq!(problem(&other), "x.log:4: `Ex` is not a kind of frame that is known");
     let log = all(text).log().unwrap();
-    let said: Vec<_> = log.entries.iter().map(|entry| (entry.at.as_micros(), entry.frame.to_string())).collect();
+    let said: Vec<_> =
+        log.entries.iter().map(|entry| (entry.at.as_micros(), entry.frame.to_string())).collect();
     assert_eq!(said, [(0, "197#64E0".to_owned()), (31_000, "112#FF01FFFFFFFFFFFF".to_owned())]);
     assert_eq!(log.entries[1].channel, 1);
 }
@@ -483,9 +484,15 @@ fn frames_of_can_fd_are_counted_said_and_refused_if_asked() {
         assert!(log.entries.iter().all(|entry| entry.frame.id.raw() == 0x123));
         let strict = Reading { strict: true, ..Reading::default() };
         let said = strict.text("x.log", text).unwrap_err().to_string();
-        assert!(said.ends_with("a CAN FD frame, which is not read, and `--strict` leaves nothing out"), "{said}");
+        assert!(
+            said.ends_with("a CAN FD frame, which is not read, and `--strict` leaves nothing out"),
+            "{said}"
+        );
     }
-    assert_eq!(problem("(1.0) can0 123##101\n"), "x.log: the log holds 1 frames of CAN FD and no classic one");
+    assert_eq!(
+        problem("(1.0) can0 123##101\n"),
+        "x.log: the log holds 1 frames of CAN FD and no classic one"
+    );
 }
 
 #[test]
@@ -546,7 +553,9 @@ fn every_version_of_pcan_traces_is_read() {
         ),
         (
             ";$FILEVERSION=2.0\n;$COLUMNS=N,O,T,I,d,l,D\n".into(),
-            format!("1  10.100 DT 0123 Rx 2  01 02\n 2  20.0 ST Rx 00 00 00 08\n 3  30.100 DT 18FEF100 Rx 8  {bytes}\n"),
+            format!(
+                "1  10.100 DT 0123 Rx 2  01 02\n 2  20.0 ST Rx 00 00 00 08\n 3  30.100 DT 18FEF100 Rx 8  {bytes}\n"
+            ),
         ),
         (
             ";$FILEVERSION=2.1\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n".into(),
@@ -569,10 +578,17 @@ fn times_of_day_go_on_over_midnight_and_modes_of_busmaster_are_kept_apart() {
         let lines: String = clock.into_iter().map(frame).collect();
         times(&format!("***BUSMASTER Ver 2.4.0***\n***{mode}***\n{lines}"))
     };
-    assert_eq!(log("SYSTEM MODE", ["23:59:59:5000", "0:00:00:5000", "0:00:01:5000"]), [0, 1_000_000, 2_000_000]);
-    assert_eq!(log("RELATIVE MODE", ["0:00:00:0000", "0:00:00:5000", "0:00:00:5000"]), [0, 500_000, 1_000_000]);
+    assert_eq!(
+        log("SYSTEM MODE", ["23:59:59:5000", "0:00:00:5000", "0:00:01:5000"]),
+        [0, 1_000_000, 2_000_000]
+    );
+    assert_eq!(
+        log("RELATIVE MODE", ["0:00:00:0000", "0:00:00:5000", "0:00:00:5000"]),
+        [0, 500_000, 1_000_000]
+    );
     assert_eq!(log("ABSOLUTE MODE", ["0:00:00:0000", "0:00:00:5000", "0:00:00:5000"]), [0, 500_000, 500_000]);
-    for wrong in ["24:00:00:0000", "1:60:00:0000", "1:00:60:0000", "001:00:00:0000", "1:00:00", "+1:00:00:0"] {
+    for wrong in ["24:00:00:0000", "1:60:00:0000", "1:00:60:0000", "001:00:00:0000", "1:00:00", "+1:00:00:0"]
+    {
         let text = format!("***BUSMASTER Ver 2.4.0***\n{wrong} Rx 1 0x123 s 1 01\n");
         assert_eq!(problem(&text), format!("x.log:2: `{wrong}` is not a time of day"));
     }
@@ -583,14 +599,19 @@ fn dates_and_colours_of_candumps_screen_are_read() {
     let dates = " (2026-01-31 15:16:25.481000)  can0  123   [1]  01\n (2026-01-31 15:16:25.501000)  can0  123   [1]  01\n";
     assert_eq!(times(dates), [0, 20_000]);
     assert_eq!(Log::parse("x.log", dates).unwrap().origin, 1_769_872_585_481_000_000);
-    let coloured = "\u{1b}[31m (1.0)  can0  123   [1]  01\u{1b}[0m\n\u{1b}[1;32m (1.02)  can0  123   [1]  01\u{1b}[0m\n";
+    let coloured =
+        "\u{1b}[31m (1.0)  can0  123   [1]  01\u{1b}[0m\n\u{1b}[1;32m (1.02)  can0  123   [1]  01\u{1b}[0m\n";
     assert_eq!(times(coloured), [0, 20_000]);
 }
 
 #[test]
 fn identifiers_on_several_channels_are_said() {
     let text = "(1.0) can0 123#01\n(2.0) can1 123#02\n(3.0) can1 124#02\n";
-    assert!(problem(text).contains("; identifier 123 is on more than one of them; choose one"), "{}", problem(text));
+    assert!(
+        problem(text).contains("; identifier 123 is on more than one of them; choose one"),
+        "{}",
+        problem(text)
+    );
     let log = all(text).log().unwrap();
     assert_eq!(log.notes, ["channels are mixed: identifier 123 is on more than one of them"]);
     let apart = "(1.0) can0 123#01\n(2.0) can1 124#02\n";
@@ -617,7 +638,8 @@ fn formats_that_are_not_read_are_refused_by_name() {
 fn what_is_written_in_every_form_is_read_back() {
     let frame = |dlc| Frame { dlc, ..sample_frames()[1].1 };
     let standard = sample_frames()[0].1;
-    let kinds = [standard, frame(8), frame(13), Frame::new_remote(standard.id, 4), Frame::new_remote(frame(8).id, 0)];
+    let kinds =
+        [standard, frame(8), frame(13), Frame::new_remote(standard.id, 4), Frame::new_remote(frame(8).id, 0)];
     let entries: Vec<Entry> = (0..)
         .zip(kinds)
         .map(|(n, frame)| Entry { at: Nanos(n * 1_234_000), frame, line: 0, channel: (n % 2) as usize })
@@ -631,7 +653,8 @@ fn what_is_written_in_every_form_is_read_back() {
             let text = String::from_utf8(bytes).unwrap();
             let recording = all(&text);
             let log = recording.log().unwrap();
-            let key = |entry: &Entry| (entry.at, entry.frame, if form == Form::Csv { 0 } else { entry.channel });
+            let key =
+                |entry: &Entry| (entry.at, entry.frame, if form == Form::Csv { 0 } else { entry.channel });
             assert_eq!(
                 log.entries.iter().map(key).collect::<Vec<_>>(),
                 entries.iter().map(key).collect::<Vec<_>>(),
@@ -656,7 +679,10 @@ fn the_head_of_an_asc_file_has_the_date() {
     writer.write(1_769_872_585_481_000_000, &entry).unwrap();
     writer.finish().unwrap();
     let text = String::from_utf8(bytes).unwrap();
-    assert!(text.starts_with("date Sat Jan 31 03:16:25.481 pm 2026\nbase hex  timestamps absolute\n"), "{text}");
+    assert!(
+        text.starts_with("date Sat Jan 31 03:16:25.481 pm 2026\nbase hex  timestamps absolute\n"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -778,5 +804,145 @@ fn no_input_panics() {
             text.push_str(alphabet[(state >> 24) as usize % alphabet.len()]);
         }
         let _ = Log::parse("x.log", &text);
+    }
+}
+
+/// An object of BLF: its type, its flags and its time, then its own bytes.
+fn blf_object(kind: u32, flags: u32, stamp: u64, body: &[u8]) -> Vec<u8> {
+    let mut object = b"LOBJ".to_vec();
+    object.extend(32_u16.to_le_bytes().iter().chain(&1_u16.to_le_bytes()));
+    object.extend((32 + body.len() as u32).to_le_bytes().iter().chain(&kind.to_le_bytes()));
+    object.extend(flags.to_le_bytes().iter().chain(&[0; 4]).chain(&stamp.to_le_bytes()));
+    object.extend(body);
+    object.resize(object.len().next_multiple_of(4), 0);
+    object
+}
+
+/// A container of BLF, packed if `method` is 2.
+fn blf_container(method: u16, content: &[u8]) -> Vec<u8> {
+    use std::io::Write;
+    let mut packed = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
+    packed.write_all(content).unwrap();
+    let packed = if method == 2 { packed.finish().unwrap() } else { content.to_vec() };
+    let mut container = b"LOBJ".to_vec();
+    container.extend([16, 0, 1, 0]);
+    container.extend((32 + packed.len() as u32).to_le_bytes().iter().chain(&10_u32.to_le_bytes()));
+    container.extend(method.to_le_bytes().iter().chain(&[0; 6]));
+    container.extend((content.len() as u32).to_le_bytes().iter().chain(&[0; 4]));
+    container.extend(&packed);
+    container.resize(container.len() + packed.len() % 4, 0);
+    container
+}
+
+/// A BLF of these containers.
+fn blf(containers: &[Vec<u8>]) -> Vec<u8> {
+    let mut file = b"LOGG".to_vec();
+    file.extend(144_u32.to_le_bytes());
+    file.resize(144, 0);
+    file.extend(containers.concat());
+    file
+}
+
+/// Channel, flags, length code, identifier and data of a classic message.
+fn blf_message(channel: u16, flags: u8, code: u8, id: u32, data: &[u8]) -> Vec<u8> {
+    let mut body = channel.to_le_bytes().to_vec();
+    body.extend([flags, code].iter().chain(&id.to_le_bytes()).chain(data));
+    body.resize(16, 0);
+    body
+}
+
+#[test]
+fn vector_blf_is_read_over_the_borders_of_its_containers() {
+    let [(_, standard), (_, extended)] = sample_frames();
+    let fd = |flags: u8, code: u8| {
+        let mut body = blf_message(1, 0, code, 0x123, &[]);
+        body.resize(20, 0);
+        body[13] = flags;
+        body.extend([1, 2].iter().chain(&[0; 62]));
+        body
+    };
+    let mut fd_64 = vec![1, 2, 2, 0, 0x23, 1, 0, 0];
+    fd_64.resize(40, 0);
+    fd_64.extend([1, 2, 0, 0, 0, 0, 0, 0]);
+    let objects = [
+        blf_object(65, 2, 0, &[0; 8]),
+        blf_object(1, 2, 5_000_000, &blf_message(1, 0, 2, 0x123, &BYTES[..2])),
+        blf_object(86, 1, 2_500, &blf_message(1, 0, 8, 0x98FE_F100, &BYTES)),
+        blf_object(100, 2, 26_000_000, &fd(1, 9)),
+        blf_object(100, 2, 27_000_000, &fd(0, 2)),
+        blf_object(101, 2, 28_000_000, &fd_64),
+        blf_object(73, 2, 28_500_000, &[1; 16]),
+        blf_object(1, 2, 29_000_000, &blf_message(1, 0x80, 4, 0x123, &[])),
+        blf_object(1, 2, 30_000_000, &blf_message(1, 0, 13, 0x123, &BYTES)),
+    ]
+    .concat();
+    let eight = Frame { dlc: 13, ..Frame::new(standard.id, &BYTES).unwrap() };
+    let expected = [
+        (0, standard),
+        (20_000_000, extended),
+        (22_000_000, standard),
+        (23_000_000, standard),
+        (24_000_000, Frame::new_remote(standard.id, 4)),
+        (25_000_000, eight),
+    ];
+    for method in [0, 2] {
+        // Containers end wherever they are full, in the middle of an object too.
+        for cut in (1..objects.len()).step_by(7) {
+            let parts: Vec<Vec<u8>> = objects.chunks(cut).map(|part| blf_container(method, part)).collect();
+            let log = Reading::default().bytes("x.blf", &blf(&parts)).unwrap();
+            assert_eq!(log.format(), BLF);
+            let log = log.log().unwrap();
+            let frames: Vec<_> = log.entries.iter().map(|entry| (entry.at.0, entry.frame)).collect();
+            assert_eq!(frames, expected, "cut every {cut}");
+            assert_eq!(
+                (log.error_frames, &log.notes[..]),
+                (1, &["1 frames of CAN FD are left out".to_owned()][..])
+            );
+        }
+    }
+}
+
+#[test]
+fn a_damaged_blf_is_named_and_a_cut_one_read_up_to_there() {
+    let one = blf_object(1, 2, 0, &blf_message(1, 0, 1, 0x123, &[1]));
+    let whole = blf(&[blf_container(2, &one), blf_container(2, &one)]);
+    let read = |bytes: &[u8]| Reading::default().bytes("x.blf", bytes).and_then(|recording| recording.log());
+    for end in whole.len() - 40..whole.len() - 4 {
+        let log = read(&whole[..end]).unwrap();
+        assert_eq!(log.entries.len(), 1, "{end}");
+        assert_eq!(log.notes, ["the last line is cut off; 1 frames before it were read"]);
+    }
+    let said = |bytes: &[u8]| read(bytes).unwrap_err().to_string();
+    assert_eq!(
+        said(&blf(&[blf_container(7, &one)])),
+        "x.blf: object 1: a container packed by method 7 (Vector BLF)"
+    );
+    let mut damaged = whole.clone();
+    damaged[144 + 36] ^= 0xFF;
+    assert!(said(&damaged).contains("object 1: a container: "), "{}", said(&damaged));
+    damaged[144] = b'X';
+    assert!(said(&damaged).contains("no object where one has to begin"), "{}", said(&damaged));
+    for at in 0..whole.len() {
+        for value in [0, 0x7F, 0xFF] {
+            let mut noise = whole.clone();
+            noise[at] = value;
+            let _ = read(&noise);
+        }
+    }
+}
+
+#[test]
+fn a_damaged_sample_of_any_format_is_read_or_refused_and_never_read_as_more() {
+    for format in FORMATS {
+        let sample = format.sample.as_bytes();
+        for at in 0..sample.len() {
+            for sign in [b'+', b'-', b'0', b'x', b' ', b'\t', b'\n', b'(', b'#', 0xFF, 0] {
+                let mut damaged = sample.to_vec();
+                damaged[at] = sign;
+                let reading = Reading { channel: Some(Channel::All), untimed: true, ..Reading::default() };
+                let read = reading.bytes("x.log", &damaged).and_then(|recording| recording.log());
+                assert!(read.map_or(true, |log| log.entries.len() <= 2), "{}", format.name);
+            }
+        }
     }
 }

@@ -3,9 +3,9 @@
 //! What a form cannot say is written as its own tools write it: candump and CSV have times to the microsecond. A recorder's
 //! time before 1970 exists in no form; it is written from zero on.
 
+use super::Entry;
 use super::calendar;
 use super::python_csv;
-use super::Entry;
 use crate::can::Frame;
 use crate::time::Nanos;
 use std::io::{self, Write};
@@ -65,7 +65,8 @@ impl<W: Write> Writer<W> {
             }
         };
         let (frame, absolute) = (&entry.frame, Nanos(since_1970.saturating_add(entry.at.0)));
-        let (name, number) = self.channels.get(entry.channel).map_or(("can0", 1), |(name, n)| (name.as_str(), *n));
+        let (name, number) =
+            self.channels.get(entry.channel).map_or(("can0", 1), |(name, n)| (name.as_str(), *n));
         match self.form {
             Form::Candump => writeln!(self.out, "{}", candump_line(absolute, name, frame)),
             Form::Asc => writeln!(self.out, "{}", asc_line(entry.at, number, frame)),

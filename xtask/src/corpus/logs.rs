@@ -44,7 +44,15 @@ pub fn run(folder: &Path) -> Result<()> {
         bail!("{}: no file in it", folder.display());
     }
     let python = python::witness()?;
-    say!("{:<52} {:<22} {:>8} {:>7} {:>4} {:>6}  witness", "file", "format", "frames", "foreign", "FD", "errors")?;
+    say!(
+        "{:<52} {:<22} {:>8} {:>7} {:>4} {:>6}  witness",
+        "file",
+        "format",
+        "frames",
+        "foreign",
+        "FD",
+        "errors"
+    )?;
     let (mut read, mut differ) = (0, 0);
     for file in &files {
         let name = file.strip_prefix(folder).unwrap_or(file).display().to_string();
@@ -72,7 +80,8 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     let entries = std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
     for entry in entries {
         let path = entry?.path();
-        let is_other = path.extension().is_some_and(|end| ["dbc", "toml", "md"].iter().any(|other| end == *other));
+        let is_other =
+            path.extension().is_some_and(|end| ["dbc", "toml", "md"].iter().any(|other| end == *other));
         if path.is_dir() {
             files.extend(self::files(&path)?);
         } else if !is_other {
@@ -151,7 +160,9 @@ fn same(entries: &mut Entries, mut lines: impl Iterator<Item = String>) -> Resul
         let (entry, line) = match (here, there) {
             (None, None) => return Ok(format!("{name}: {frames} equal")),
             (Some(Err(error)), _) => return Err(error.to_string()),
-            (Some(Ok(entry)), None) => return Err(format!("line {}: {} is not there", entry.line, entry.frame)),
+            (Some(Ok(entry)), None) => {
+                return Err(format!("line {}: {} is not there", entry.line, entry.frame));
+            }
             (None, Some(line)) => return Err(format!("`{line}` is not here")),
             (Some(Ok(entry)), Some(line)) => (entry, line),
         };
@@ -160,10 +171,10 @@ fn same(entries: &mut Entries, mut lines: impl Iterator<Item = String>) -> Resul
         let [micros, id, bits, kind, channel, length, data] = words[..] else {
             return Err(format!("`{line}` is not a frame"));
         };
-        let micros: i64 = micros.parse().map_err(|_| format!("`{micros}` is not a time"))?;
         // A frame that is dated before the one above takes its time.
-        latest = micros.max(latest);
-        if entries.is_timed() && latest.abs_diff(entry.at.0 as i64 / 1_000) > 1 {
+        let micros: Option<i64> = micros.parse().ok();
+        latest = micros.map_or(latest, |micros| micros.max(latest));
+        if micros.is_some() && latest.abs_diff(entry.at.0 as i64 / 1_000) > 1 {
             return Err(format!("line {}: {} us, there {latest} us", entry.line, entry.at.as_micros()));
         }
         let (ours, theirs) = (told(&entry), format!("{id} {bits} {kind} {length} {data}"));
