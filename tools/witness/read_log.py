@@ -87,9 +87,16 @@ def by_pattern(path, name):
         data = bytes(int(byte, 16) for byte in re.split(r"[\s,]+", got["data"].strip(" ,\t")) if byte)
         length = int(got.get("length") or len(data))
         identifier = int(got["id"], 16)
+        if identifier > 0x1FFFFFFF:
+            # candump marks an error so.
+            continue
         bits = got.get("bits")
         extended = identifier > 0x7FF if bits is None else bits.lower() in ("true", "1", "29", "extended")
-        yield micros_of(got["time"], unit), identifier, extended, "d", got.get("channel") or "-", length, data[:length]
+        channel = got.get("channel") or "-"
+        if channel[:2] in ("RX", "TX"):
+            # Battery-Emulator: one bus has an even number for what it hears and the odd one behind it for what it sends.
+            channel = int(channel[2:]) // 2
+        yield micros_of(got["time"], unit), identifier, extended, "d", channel, length, data[:length]
 
 
 def main():

@@ -148,7 +148,7 @@ pub const FORMATS: &[Format] = &[
     Format {
         name: "candump -l",
         written_by: "candump -l, candump -L, python-can, `cargo xtask run --record`",
-        times: "seconds since 1970; -tz, -td: see below; -tA: a date, taken as UTC",
+        times: "seconds since 1970, or as -t says; dates are taken as UTC",
         holds: "channels, remote requests, errors, length codes of 9 to 15",
         sample: "(1436509052.249713) can0 123#0102\n(1436509052.269713) can0 18FEF100#01020304050607AB\n",
         looks_like: candump::looks_logged,

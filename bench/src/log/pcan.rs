@@ -121,10 +121,11 @@ impl ReadLine for Pcan {
         }
         let extended = match text.len() {
             4 => false,
-            8 => true,
+            // PEAK writes eight, python-can seven and more.
+            5..=8 => true,
             n => {
                 let problem =
-                    format!("identifier {} has {n} digits; 4 for 11 bits, 8 for 29 bits", quoted(text));
+                    format!("identifier {} has {n} digits; 4 for 11 bits, 5 to 8 for 29 bits", quoted(text));
                 return Err(Problem::of(text, problem));
             }
         };

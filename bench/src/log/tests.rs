@@ -522,7 +522,7 @@ fn a_line_that_cannot_be_read_is_named_with_its_column_and_the_format_recognised
         ),
         (
             ";$FILEVERSION=1.1\n  1)  17.4  Rx  123  8  D0\n",
-            "x.log:2:17: identifier `123` has 3 digits; 4 for 11 bits, 8 for 29 bits (PCAN trace)",
+            "x.log:2:17: identifier `123` has 3 digits; 4 for 11 bits, 5 to 8 for 29 bits (PCAN trace)",
         ),
         (";$FILEVERSION=9.9\n", "x.log:1:15: `9.9` is not a version that is known (1.0 to 2.1) (PCAN trace)"),
         (
