@@ -402,9 +402,12 @@ fn an_adapters_client_opens_sends_hears_and_closes() {
     assert!(error.to_string().contains("333000"), "{error}");
 }
 
-/// What adapters of several makers say, with what is heard of it, counts of what is understood, of CAN FD and of lines
-/// that are not understood, and the first of these.
-const SCRIPTS: &[(&str, &[u8], &[&str], (u64, u64, u64), &str)] = &[
+/// Whose script it is, its bytes, the frames heard of it, counts of what is understood, of CAN FD and of lines that are not
+/// understood, and the first of these.
+type Script = (&'static str, &'static [u8], &'static [&'static str], (u64, u64, u64), &'static str);
+
+/// What adapters of several makers say.
+const SCRIPTS: &[Script] = &[
     (
         "LAWICEL CAN232: answers, time stamps, a refusal",
         b"\r\r\x07V1013\rNA123\rF00\rz\rZ\rt1232DEAD1A2B\rT18FEF10010500FF\r",

@@ -35,8 +35,11 @@ const TEN_MICROS: u32 = 1;
 
 const CONTAINERS: u32 = 10;
 
+/// Reads what an object says behind its head: channel and event; `None` if it is too short.
+type ReadBody = fn(&[u8]) -> Option<(String, What)>;
+
 /// Types of the objects that are read, and how.
-const MESSAGES: &[(u32, fn(&[u8]) -> Option<(String, What)>)] =
+const MESSAGES: &[(u32, ReadBody)] =
     &[(1, message), (86, message), (2, bus_error), (73, bus_error), (100, fd_message), (101, fd_message_64)];
 
 /// The objects of one file.
