@@ -13,6 +13,7 @@ pub mod latency;
 pub mod log;
 pub mod page;
 pub mod pins;
+pub mod printable;
 pub mod recent;
 pub mod rig;
 pub mod rp2040;

@@ -53,7 +53,7 @@ fn tester(rounds: u64) -> Vec<Entry> {
     let turns = (0..rounds).flat_map(|_| [0x1802_28D0, 0x1803_28D0, 0x1804_28D0]);
     let stray = |(id, turn): (u32, u64)| {
         let frame = Frame::new(Id::extended(id).expect("29 bits"), &[0; 8]).expect("8 bytes");
-        Entry { at: Nanos::from_millis(10 * turn), frame, line: 0 }
+        Entry { at: Nanos::from_millis(10 * turn), frame, line: 0, channel: 0 }
     };
     turns.zip(0..).map(stray).collect()
 }

@@ -31,7 +31,12 @@ fn noise(ids: &[u16]) -> Log {
     let entries = (0..frames).map(|index| {
         let id = Id::standard(ids[index as usize % ids.len()]).expect("11 bits");
         let data = index.wrapping_mul(0x9E37_79B9_7F4A_7C15).to_le_bytes();
-        Entry { at: Nanos(index * SPACING.0), frame: Frame::new(id, &data).expect("8 bytes"), line: 0 }
+        Entry {
+            at: Nanos(index * SPACING.0),
+            frame: Frame::new(id, &data).expect("8 bytes"),
+            line: 0,
+            channel: 0,
+        }
     });
     Log::of(entries.collect())
 }
@@ -100,7 +105,7 @@ fn a_vehicle_that_is_only_likely_is_shown_and_only_listened_to() {
     let data = [0xA0, 0x32, 0x32, 0x4A, 0x01, 0x64, 0x21, 0x00];
     let entries = (0..30).map(|index| {
         let frame = Frame::new(id, &data).expect("8 bytes");
-        Entry { at: Nanos::from_millis(200 * index), frame, line: 0 }
+        Entry { at: Nanos::from_millis(200 * index), frame, line: 0, channel: 0 }
     });
     let log = Log::of(entries.collect());
     let mut rig = Rig::new(&firmware::elf(), &RigOptions::default()).unwrap();

@@ -3,6 +3,8 @@
 //! Owns the table that it prints. Every file of a folder and of the folders in it is tried; nothing is written. A value
 //! that differs is an error with its file, message and bytes; a file that is refused is listed with file and line.
 
+mod logs;
+
 use crate::out::{note, say};
 use crate::python;
 use anyhow::{Context, Result, bail};
@@ -27,6 +29,9 @@ pub struct Options {
     /// Names every file with what became of it.
     #[arg(long)]
     files: bool,
+    /// Reads the folder's recordings in place of its DBC files, beside python-can.
+    #[arg(long)]
+    logs: bool,
 }
 
 /// What became of all files.
@@ -54,8 +59,11 @@ struct Tally {
 /// Prints the table.
 ///
 /// # Errors
-/// If the folder holds no DBC file, or a value differs from cantools'.
+/// If the folder holds no such file, or a value or a frame differs from the witness's.
 pub fn run(options: &Options) -> Result<()> {
+    if options.logs {
+        return logs::run(&options.folder);
+    }
     let mut files = Vec::new();
     collect(&options.folder, &mut files)?;
     files.sort();

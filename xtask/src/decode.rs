@@ -1,13 +1,13 @@
 //! Turns every frame of a recording into the signals of a vehicle.
 //!
 //! One row per signal: time, identifier, message, signal, raw value, exact value, unit, whether it is valid, and the
-//! word of the value table. A file is read whole; stdin is decoded line by line, so that `candump -ta can0 |
+//! word of the value table. A file of any length is read in memory that does not grow; stdin is decoded line by line, so that `candump -ta can0 |
 //! cargo xtask decode -` is live. What cannot be decoded is counted and summed up on stderr, never dropped silently.
 //! Of a recording without times the time is missing: `-`, `null` or an empty cell.
 
 use crate::known::{self, Source};
 use crate::out::{self, note};
-use crate::recording::Choices;
+use crate::recording::{Choices, say_notes};
 use crate::vehicles::{can_frame, can_id, seconds, short_seconds, with_unit};
 use anyhow::{Context, Result, bail};
 use bench::can::Frame;
@@ -23,7 +23,7 @@ use vehicle_compiler::network::{Message, Signal};
 /// What to decode and how to print it.
 #[derive(Args, Debug)]
 pub struct Options {
-    /// Recording (candump, Vector ASC or GVRET CSV); `-` reads stdin line by line.
+    /// Recording in any of the formats of docs/reference/recordings.md; `-` reads stdin line by line.
     #[arg(default_value = "-")]
     file: PathBuf,
     #[command(flatten)]
@@ -62,17 +62,20 @@ pub fn run(options: &Options) -> Result<()> {
 }
 
 fn whole(options: &Options) -> Result<()> {
-    let log = options.choices.read_untimed(&options.file)?;
-    let tables = options.source.of_log(&log)?;
-    let mut tally = Tally { bus_errors: log.error_frames, untimed: !log.timed, ..Tally::default() };
+    let recording = options.choices.open_untimed(&options.file)?;
+    let tables = options.source.of_frames(recording.ids())?;
+    let mut tally = Tally::default();
     let mut out = BufWriter::new(out::stdout());
     let printer = Printer::new(tables, options)?;
     printer.head(&mut out)?;
-    for entry in &log.entries {
-        let clock = Clock { origin: log.origin, timed: log.timed };
+    let mut entries = recording.entries()?;
+    while let Some(entry) = entries.next().transpose()? {
+        let clock = Clock { origin: entries.origin(), timed: entries.is_timed() };
         printer.frame(&mut out, clock, entry.at, &entry.frame, &mut tally)?;
     }
     out.flush()?;
+    say_notes(&options.file, &entries.notes());
+    (tally.bus_errors, tally.untimed) = (entries.error_frames(), !entries.is_timed());
     tally.report(tables);
     Ok(())
 }
@@ -115,9 +118,7 @@ fn live(options: &Options) -> Result<()> {
         out.flush()?;
     }
     recording.finish()?;
-    for note in recording.notes() {
-        note!("stdin: {note}");
-    }
+    say_notes(Path::new("stdin"), &recording.notes());
     (tally.bus_errors, tally.untimed) = (recording.error_frames(), !recording.is_timed());
     let Some(printer) = printer else { bail!(known::no_vehicle(&known, tally.unknown.keys().copied())) };
     tally.report(printer.tables);

@@ -7,7 +7,7 @@ use crate::out::note;
 use crate::vehicles::can_id;
 use crate::workspace;
 use anyhow::{Result, anyhow, bail};
-use bench::log::Log;
+use bench::can::Id;
 use clap::Args;
 use protocol_core::CanId;
 use std::collections::BTreeSet;
@@ -41,21 +41,25 @@ impl Source {
         }
     }
 
-    /// Returns the vehicle that is asked for, else the one that most frames of a recording belong to.
+    /// Returns the vehicle that is asked for, else the one that most frames of a recording belong to:
+    /// identifiers, and how many frames have them.
     ///
     /// # Errors
     /// Like [`Source::wanted`], or if no vehicle has any of the identifiers.
-    pub fn of_log(&self, log: &Log) -> Result<&'static RunTime> {
+    pub fn of_frames(&self, ids: impl Iterator<Item = (Id, usize)>) -> Result<&'static RunTime> {
         if let Some(wanted) = self.wanted()? {
             return Ok(wanted);
         }
-        let ids = || log.entries.iter().map(|entry| can_id(entry.frame.id));
-        let heard = |known: &RunTime| ids().filter(|id| known.network.message_of(*id).is_some()).count();
+        let ids: Vec<(CanId, usize)> = ids.map(|(id, frames)| (can_id(id), frames)).collect();
+        let heard = |known: &RunTime| {
+            let of = ids.iter().filter(|(id, _)| known.network.message_of(*id).is_some());
+            of.map(|(_, frames)| frames).sum::<usize>()
+        };
         let all = all();
         let best = all.iter().map(|known| (heard(known), *known)).max_by_key(|(count, _)| *count);
         match best {
             Some((count, known)) if count > 0 => Ok(known),
-            _ => bail!(no_vehicle(&all, ids())),
+            _ => bail!(no_vehicle(&all, ids.iter().map(|(id, _)| *id))),
         }
     }
 }

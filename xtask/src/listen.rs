@@ -1,11 +1,13 @@
 //! Prints the records that a cluster sends on its UART.
 //!
-//! Reads bytes from a serial port, which it sets up, from a file or from standard input. Noise is counted and skipped: the decoder finds the next record by itself. Faults are told again and again for whoever
+//! Reads bytes from a serial port, which it sets up, from a file or from standard input. Noise is counted and skipped: the
+//! decoder finds the next record by itself. Texts are printed as they cannot steer a terminal. Faults are told again and again for whoever
 //! comes late; printed is each of them once, and again when something about it has changed.
 
 use crate::out::{self, note};
 use crate::words::page;
 use anyhow::{Context, Result, bail};
+use bench::printable::printable;
 use clap::Args;
 use cluster::Named;
 use protocol_core::generated::VEHICLES;
@@ -194,7 +196,8 @@ fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::i
             told.meet(vehicle.as_str());
             let vehicle =
                 if vehicle.as_str().is_empty() { "a vehicle not known yet" } else { vehicle.as_str() };
-            writeln!(out, "hello   firmware {} for {vehicle}, build {build:08x}", version.as_str())
+            let (version, vehicle) = (printable(version.as_str()), printable(vehicle));
+            writeln!(out, "hello   firmware {version} for {vehicle}, build {build:08x}")
         }
         Record::Health(health) => write_health(health, out),
         Record::Values { first, items } => {
@@ -207,7 +210,7 @@ fn write_record(record: &Record, told: &mut Told, out: &mut dyn Write) -> std::i
             Ok(())
         }
         Record::Shown(screen) => write_screen(screen, told, out),
-        Record::Panic { line, text } => writeln!(out, "panic   line {line}: {}", text.as_str()),
+        Record::Panic { line, text } => writeln!(out, "panic   line {line}: {}", printable(text.as_str())),
         Record::Trips(trips) => write_trips(trips, out),
         Record::Active { count, fault } => {
             if told.active.replace(*count) != Some(*count) {

@@ -13,6 +13,7 @@
 mod ci;
 mod codecs;
 mod codegen;
+mod convert;
 mod corpus;
 mod coverage;
 mod dbc;
@@ -80,12 +81,14 @@ enum Command {
     Replay(replay::Options),
     /// Decodes a recording or a live bus to signals, as text, JSON lines or CSV.
     Decode(decode::Options),
+    /// Writes a recording in another form: candump, Vector ASC or python-can's CSV.
+    Convert(convert::Options),
+    /// Reads a folder of other people's files and prints what became of each, beside an independent reader.
+    Corpus(corpus::Options),
     /// Makes the frame of a message from the values of its signals.
     Encode(encode::Options),
     /// Lints DBC files and names file and line of everything that is wrong or missing.
     Dbc(dbc::Options),
-    /// Measures on a folder of DBC files which are read and make a vehicle, and compares every value with cantools.
-    Corpus(corpus::Options),
     /// Compares every screen with its golden picture, or blesses the new ones.
     Screens(screens::Options),
     /// Rasterises the fonts and symbols that the screens use.
@@ -121,7 +124,12 @@ impl Command {
     fn needs_checkout(&self) -> bool {
         let works_anywhere = matches!(
             self,
-            Self::Vehicle(_) | Self::Replay(_) | Self::Decode(_) | Self::Encode(_) | Self::Listen(_)
+            Self::Vehicle(_)
+                | Self::Replay(_)
+                | Self::Decode(_)
+                | Self::Convert(_)
+                | Self::Encode(_)
+                | Self::Listen(_)
         );
         !works_anywhere
     }
@@ -146,9 +154,10 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Scenario(options) => scenario::run(&options),
         Command::Replay(options) => replay::run(&options),
         Command::Decode(options) => decode::run(&options),
+        Command::Convert(options) => convert::run(&options),
+        Command::Corpus(options) => corpus::run(&options),
         Command::Encode(options) => encode::run(&options),
         Command::Dbc(options) => dbc::run(&options),
-        Command::Corpus(options) => corpus::run(&options),
         Command::Screens(options) => screens::run(&options),
         Command::Fonts => screens::fonts(),
         Command::Codegen(options) => codegen::run(&options),

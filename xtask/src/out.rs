@@ -1,9 +1,13 @@
 //! The one way to the terminal: [`say!`] prints a line on standard output, [`note!`] one beside it.
 //!
+//! What a file or a link says may hold anything. Everything printed here goes through [`printable_lines`]: a terminal
+//! gets no control character but the end of a line and the tab.
+//!
 //! What a command prints may go into a pipe whose reader ends early, or into a file on a full disk. `println!` panics
 //! there; here it is an error, and [`exit_code`] tells the one from the other: nobody reads on is the end of a Unix
 //! tool, all else is a failure.
 
+use bench::printable::printable_lines;
 use std::error::Error;
 use std::fmt;
 use std::io::{self, Stdout, Write};
@@ -25,11 +29,11 @@ macro_rules! note {
 pub(crate) use {note, say};
 
 /// Standard output, as a writer whose errors say what could not be written.
-pub struct Out(Stdout);
+pub struct Out(Printable<Stdout>);
 
 /// Returns standard output.
 pub fn stdout() -> Out {
-    Out(io::stdout())
+    Out(Printable { out: io::stdout(), begun: Vec::new() })
 }
 
 impl Write for Out {
@@ -39,6 +43,31 @@ impl Write for Out {
 
     fn flush(&mut self) -> io::Result<()> {
         self.0.flush().map_err(named)
+    }
+}
+
+/// A writer that lets through what a terminal does not obey.
+struct Printable<W> {
+    out: W,
+    /// The beginning of a character whose rest comes by the next call.
+    begun: Vec<u8>,
+}
+
+impl<W: Write> Write for Printable<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let joined = [&self.begun[..], bytes].concat();
+        let whole = match std::str::from_utf8(&joined) {
+            Err(error) if error.error_len().is_none() => error.valid_up_to(),
+            _ => joined.len(),
+        };
+        let (text, begun) = joined.split_at(whole);
+        self.out.write_all(printable_lines(&String::from_utf8_lossy(text)).as_bytes())?;
+        self.begun = begun.to_vec();
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }
 
@@ -52,7 +81,7 @@ pub fn line(text: fmt::Arguments<'_>) -> io::Result<()> {
 
 /// What [`note!`] does. Where standard error is closed there is nobody to tell.
 pub fn beside(text: fmt::Arguments<'_>) {
-    let _ = writeln!(io::stderr(), "{text}");
+    let _ = writeln!(io::stderr(), "{}", printable_lines(&text.to_string()));
 }
 
 /// Standard output could not be written.
@@ -92,6 +121,19 @@ fn is_nobody_reads(error: &anyhow::Error) -> bool {
 mod tests {
     use super::*;
     use anyhow::Context;
+
+    #[test]
+    fn a_terminal_gets_no_control_character_however_the_text_is_cut() {
+        let text = "a\u{1b}[2J\u{9b}\u{202e}\r\tü温\n";
+        let expected = "a\\u{1b}[2J\\u{9b}\\u{202e}\\r\tü温\n";
+        for cut in 1..text.len() {
+            let mut printable = Printable { out: Vec::new(), begun: Vec::new() };
+            for part in text.as_bytes().chunks(cut) {
+                printable.write_all(part).unwrap();
+            }
+            assert_eq!(String::from_utf8(printable.out).unwrap(), expected, "cut at {cut}");
+        }
+    }
 
     #[test]
     fn only_a_closed_standard_output_ends_quietly() {

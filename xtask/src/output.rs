@@ -73,21 +73,32 @@ impl Output {
     /// # Errors
     /// If that fails, or the file is there by now and must not be overwritten.
     pub fn write_whole(&self, bytes: &[u8]) -> Result<()> {
+        self.write_by(|file| Ok(file.write_all(bytes)?))
+    }
+
+    /// Like [`Output::write_whole`], of bytes that `write` makes one after another.
+    ///
+    /// # Errors
+    /// Like [`Output::write_whole`], and what `write` returns.
+    pub fn write_by(&self, write: impl FnOnce(&mut File) -> Result<()>) -> Result<()> {
         let part = self.part();
-        let written = File::create_new(&part).and_then(|mut file| {
-            file.write_all(bytes)?;
+        let written = File::create_new(&part).map_err(anyhow::Error::new).and_then(|mut file| {
+            write(&mut file)?;
             file.sync_all()?;
             if !self.overwrite && self.path.symlink_metadata().is_ok() {
-                return Err(ErrorKind::AlreadyExists.into());
+                return Err(io::Error::from(ErrorKind::AlreadyExists).into());
             }
             // A link is followed: what it leads to is replaced, the link stays.
-            fs::rename(&part, fs::canonicalize(&self.path).as_ref().unwrap_or(&self.path))
+            Ok(fs::rename(&part, fs::canonicalize(&self.path).as_ref().unwrap_or(&self.path))?)
         });
         if written.is_err() {
             // Nothing more can be done about what is left of it.
             let _ = fs::remove_file(&part);
         }
-        written.map_err(|error| self.explained(error))
+        written.map_err(|error| match error.downcast::<io::Error>() {
+            Ok(error) => self.explained(error),
+            Err(other) => other,
+        })
     }
 
     /// Another name in the same folder, this process's own.

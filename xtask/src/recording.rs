@@ -2,7 +2,7 @@
 
 use crate::out::note;
 use anyhow::Result;
-use bench::log::{Channel, Live, Log, Reading, Times};
+use bench::log::{Channel, Live, Log, Reading, Recording, Times};
 use bench::time::Nanos;
 use clap::{Args, ValueEnum};
 use std::path::Path;
@@ -19,6 +19,10 @@ pub struct Choices {
     /// Milliseconds from frame to frame of a recording without times.
     #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u32).range(1..))]
     spacing_ms: Option<u32>,
+    /// Refuses what is otherwise left out, counted and said: lines that are no frames, frames of CAN FD, a last line that
+    /// is cut off.
+    #[arg(long)]
+    strict: bool,
 }
 
 /// What the times of a recording count from.
@@ -36,15 +40,37 @@ impl Choices {
     /// # Errors
     /// If it cannot be read, or leaves open what these choices do not say either.
     pub fn read(&self, path: &Path) -> Result<Log> {
-        said(path, self.reading().file(path)?)
+        let log = self.reading().file(path)?;
+        say_notes(path, &log.notes);
+        Ok(log)
     }
 
-    /// Reads a file, one without times too, and says on standard error what was left out or mended.
+    /// Looks through a file, whose frames are then read one by one.
     ///
     /// # Errors
     /// Like [`Choices::read`].
-    pub fn read_untimed(&self, path: &Path) -> Result<Log> {
-        said(path, Reading { untimed: true, ..self.reading() }.file(path)?)
+    pub fn open(&self, path: &Path) -> Result<Recording> {
+        Ok(self.reading().open(path)?)
+    }
+
+    /// Looks through a file, one without times too.
+    ///
+    /// # Errors
+    /// Like [`Choices::read`].
+    pub fn open_untimed(&self, path: &Path) -> Result<Recording> {
+        Ok(Reading { untimed: true, ..self.reading() }.open(path)?)
+    }
+
+    /// Looks through a file, all of whose channels are kept apart by their names if `keeps_channels`.
+    ///
+    /// # Errors
+    /// Like [`Choices::read`].
+    pub fn open_all(&self, path: &Path, keeps_channels: bool) -> Result<Recording> {
+        let mut reading = self.reading();
+        if keeps_channels {
+            reading.channel.get_or_insert(Channel::All);
+        }
+        Ok(reading.open(path)?)
     }
 
     /// Starts a recording on standard input, with times or without.
@@ -62,13 +88,13 @@ impl Choices {
             CountedFrom::Delta => Times::Delta,
         });
         let spacing = self.spacing_ms.map(|ms| Nanos::from_millis(ms.into()));
-        Reading { channel, times, spacing, untimed: false }
+        Reading { channel, times, spacing, untimed: false, strict: self.strict }
     }
 }
 
-fn said(path: &Path, log: Log) -> Result<Log> {
-    for note in &log.notes {
+/// Says on standard error what the reader of a recording should know.
+pub fn say_notes(path: &Path, notes: &[String]) {
+    for note in notes {
         note!("{}: {note}", path.display());
     }
-    Ok(log)
 }

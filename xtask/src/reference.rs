@@ -8,6 +8,7 @@ use crate::out::say;
 use crate::vehicles::{Tables, decimal, value_of, with_unit};
 use crate::workspace;
 use anyhow::{Context, Result, bail};
+use bench::log::{BLF, FORMATS, Format};
 use clap::Args;
 use cluster::faults::{self, Grade, ROWS, Route, Voice, When, Words};
 use cluster::view::Text;
@@ -68,6 +69,29 @@ pub fn run(options: &Options) -> Result<()> {
     Ok(())
 }
 
+/// Returns the page of the recordings' formats, from the rows by which they are read.
+fn recordings() -> String {
+    let mut page = String::from(
+        "# Recordings\n\nThe formats that `decode`, `replay`, `run --log` and `convert` read, found by the head or the lines of the file. \
+         `convert`\nwrites candump (`.log`), Vector ASC (`.asc`) and python-can's CSV (`.csv`). Text may be UTF-8 or UTF-16, with CR, LF \
+         or both\nat the ends of its lines. Frames of CAN FD are counted and left out.\n\n\
+         | format | written by | times | holds |\n| --- | --- | --- | --- |\n",
+    );
+    for Format { name, written_by, times, holds, .. } in FORMATS {
+        let _ = writeln!(page, "| {name} | {written_by} | {times} | {holds} |");
+    }
+    let _ = writeln!(
+        page,
+        "| {BLF} | CANoe, CANalyzer, python-can | nanoseconds or 10 us since the start | channels, remote requests, errors, \
+         length codes of 9 to 15 |"
+    );
+    page += "\n## Two frames in each\n";
+    for Format { name, sample, .. } in FORMATS.iter().filter(|format| !format.sample.is_empty()) {
+        let _ = write!(page, "\n{name}:\n\n```text\n{sample}```\n");
+    }
+    page
+}
+
 /// Returns name and text of every page.
 fn pages() -> Result<Vec<(String, String)>> {
     let mut pages = vec![
@@ -75,6 +99,7 @@ fn pages() -> Result<Vec<(String, String)>> {
         ("faults".into(), faults()),
         ("states".into(), states()),
         ("values".into(), values()?),
+        ("recordings".into(), recordings()),
     ];
     for tables in Tables::all() {
         let name = tables.vehicle.name;

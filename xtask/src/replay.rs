@@ -7,11 +7,11 @@
 
 use crate::known::Source;
 use crate::out;
-use crate::recording::Choices;
+use crate::recording::{Choices, say_notes};
 use crate::vehicles::{can_frame, short_seconds};
 use crate::words;
 use anyhow::{Result, anyhow, bail};
-use bench::log::Log;
+use bench::log::Entries;
 use bench::time::Nanos;
 use clap::Args;
 use cluster::view::{Limp, Line, Range};
@@ -31,10 +31,13 @@ const LONGEST_GAP: Nanos = Nanos::from_secs(24 * 60 * 60);
 /// What to play and how to print it.
 #[derive(Args, Debug)]
 pub struct Options {
-    /// Recording: candump, Vector ASC or GVRET CSV.
+    /// Recording in any of the formats of docs/reference/recordings.md.
     file: PathBuf,
     #[command(flatten)]
     choices: Choices,
+    /// Seconds of silence to play after the last frame: values go stale, nodes are missed.
+    #[arg(long, value_name = "SECONDS", default_value_t = 0, value_parser = clap::value_parser!(u32).range(..=86_400))]
+    tail: u32,
     #[command(flatten)]
     source: Source,
     /// Prints one JSON object per line.
@@ -47,32 +50,43 @@ pub struct Options {
 /// # Errors
 /// If the recording cannot be read or no vehicle fits it.
 pub fn run(options: &Options) -> Result<()> {
-    let log = options.choices.read(&options.file)?;
-    let known = options.source.of_log(&log)?;
-    for pair in log.entries.windows(2) {
-        if pair[1].at.since(pair[0].at) > LONGEST_GAP {
-            let (file, line) = (options.file.display(), pair[1].line);
-            bail!("{file}:{line}: the time jumps by more than a day; cut the log there");
-        }
-    }
-    play(&log, known, options.json, &mut BufWriter::new(out::stdout()))
+    let recording = options.choices.open(&options.file)?;
+    let known = options.source.of_frames(recording.ids())?;
+    let mut entries = recording.entries()?;
+    let result = play(&mut entries, known, options, &mut BufWriter::new(out::stdout()));
+    say_notes(&options.file, &entries.notes());
+    result
 }
 
-fn play(log: &Log, known: &'static RunTime, json: bool, out: &mut impl Write) -> Result<()> {
+fn play(
+    entries: &mut Entries,
+    known: &'static RunTime,
+    options: &Options,
+    out: &mut impl Write,
+) -> Result<()> {
     let vehicle = known.vehicle().map_err(|problem| anyhow!(problem))?;
     let mut instrument = Instrument::fixed(vehicle, cluster::Options::default());
-    let mut screen = Screen::new(vehicle, json);
+    let mut screen = Screen::new(vehicle, options.json);
     let mut tally = Tally::default();
     let mut next_tick = Millis(0);
-    for entry in &log.entries {
+    while let Some(entry) = entries.next().transpose()? {
+        if entry.at.since(tally.last) > LONGEST_GAP {
+            let (file, line) = (options.file.display(), entry.line);
+            bail!("{file}:{line}: the time jumps by more than a day; cut the log there");
+        }
         while next_tick.0 * 1_000_000 <= entry.at.0 {
             tick(&mut instrument, &mut screen, next_tick, out)?;
             next_tick = next_tick.after(TICK_MS);
         }
-        tally.count(&mut instrument, known, entry);
+        tally.count(&mut instrument, known, &entry);
     }
+    let end = tally.last.0 / 1_000_000 + u64::from(options.tail) * 1_000;
     tick(&mut instrument, &mut screen, next_tick, out)?;
-    tally.report(log, vehicle, json, out)?;
+    while next_tick.0 + TICK_MS <= end {
+        next_tick = next_tick.after(TICK_MS);
+        tick(&mut instrument, &mut screen, next_tick, out)?;
+    }
+    tally.report(entries.error_frames(), vehicle, options.json, out)?;
     out.flush()?;
     Ok(())
 }
@@ -291,10 +305,15 @@ struct Tally {
     short: usize,
     damaged: usize,
     remote: usize,
+    frames: usize,
+    /// Time of the last frame.
+    last: Nanos,
 }
 
 impl Tally {
     fn count(&mut self, instrument: &mut Instrument, known: &RunTime, entry: &bench::log::Entry) {
+        self.frames += 1;
+        self.last = entry.at;
         let counter = match can_frame(&entry.frame) {
             None => &mut self.remote,
             // An instrument for one vehicle keeps no frame for later.
@@ -311,10 +330,9 @@ impl Tally {
         *counter += 1;
     }
 
-    fn report(&self, log: &Log, vehicle: &Vehicle, json: bool, out: &mut impl Write) -> io::Result<()> {
-        let frames = log.entries.len();
-        let Self { taken, for_others, unknown, short, damaged, remote } = self;
-        let (errors, millis) = (log.error_frames, log.duration().0 / 1_000_000);
+    fn report(&self, errors: usize, vehicle: &Vehicle, json: bool, out: &mut impl Write) -> io::Result<()> {
+        let Self { taken, for_others, unknown, short, damaged, remote, frames, last } = self;
+        let millis = last.0 / 1_000_000;
         if json {
             let fields = json!({
                 "name": "summary", "vehicle": vehicle.name, "frames": frames, "taken": taken,

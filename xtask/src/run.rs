@@ -83,7 +83,9 @@ pub struct Options {
 pub fn run(options: &Options) -> Result<()> {
     let played = options.log.as_ref().map(|path| from_root(path));
     if played.is_none() && options.choices != Choices::default() {
-        bail!("--channel, --times and --spacing-ms say how a recording is read; name one with --log FILE");
+        bail!(
+            "--channel, --times, --spacing-ms and --strict say how a recording is read; name one with --log FILE"
+        );
     }
     let outputs = Outputs::checked(options, played.as_deref())?;
     let log = played.as_ref().map(|path| options.choices.read(path)).transpose()?;

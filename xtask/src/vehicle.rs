@@ -8,7 +8,7 @@ use crate::vehicle_new;
 use crate::vehicles::{self, Tables};
 use anyhow::{Context, Result, anyhow, bail};
 use bench::can::Frame;
-use bench::join::adapter::Adapter;
+use bench::join::adapter::{Adapter, Said};
 use clap::{Args, Subcommand};
 use protocol_core::codec::MessageInfo;
 use protocol_core::{CanFrame, CanId};
@@ -183,6 +183,8 @@ struct Desk<A> {
     /// The cluster's frames by identifier: the newest, and what was last printed of it.
     meters: BTreeMap<CanId, (CanFrame, String)>,
     hinted: bool,
+    /// What was last told of lines that were not taken.
+    told: Said,
 }
 
 /// What went over the adapter.
@@ -209,6 +211,7 @@ impl<A: Adapter> Desk<A> {
             status_due_us: STATUS_EVERY_US,
             meters: BTreeMap::new(),
             hinted: false,
+            told: Said::default(),
         }
     }
 
@@ -288,12 +291,32 @@ impl<A: Adapter> Desk<A> {
                 *printed = text;
             }
         }
+        lines.extend(self.not_taken());
         if now.from_cluster == 0 && now_us >= SILENCE_US && !self.hinted {
             self.hinted = true;
             lines.push(format!(
                 "          nothing from the cluster yet: is it powered, CAN-H on CAN-H and CAN-L on CAN-L, 120 ohm at \
                  both ends (60 ohm between the wires), {} bit/s on both sides?",
                 self.tables.vehicle.bitrate
+            ));
+        }
+        lines
+    }
+
+    /// Lines to print of what the adapter said and nobody took: at first, and whenever there is twice as much of it.
+    fn not_taken(&mut self) -> Vec<String> {
+        let Said { unknown, fd_frames, first_unknown, .. } = self.adapter.said();
+        let mut lines = Vec::new();
+        if unknown > 0 && unknown >= self.told.unknown * 2 {
+            self.told.unknown = unknown;
+            lines.push(format!(
+                "          {unknown} lines of the adapter are not understood, the first is `{first_unknown}`"
+            ));
+        }
+        if fd_frames > 0 && fd_frames >= self.told.fd_frames * 2 {
+            self.told.fd_frames = fd_frames;
+            lines.push(format!(
+                "          {fd_frames} frames of CAN FD are on the bus, which no cluster here reads"
             ));
         }
         lines
@@ -335,6 +358,7 @@ mod tests {
         now_us: u64,
         sent: Vec<(u64, Frame)>,
         to_hear: VecDeque<Frame>,
+        said: Said,
         busy: Cell<bool>,
     }
 
@@ -353,6 +377,10 @@ mod tests {
 
         fn receive(&mut self) -> io::Result<Option<Frame>> {
             Ok(self.0.lock().unwrap().to_hear.pop_front())
+        }
+
+        fn said(&self) -> Said {
+            self.0.lock().unwrap().said.clone()
         }
     }
 
@@ -421,6 +449,25 @@ mod tests {
         let lines = desk.status(5_000_000);
         assert!(lines[0].contains("nobody acknowledges"), "{lines:?}");
         assert!(lines[1].contains("nothing from the cluster yet"), "{lines:?}");
+    }
+
+    #[test]
+    fn lines_that_are_not_understood_are_said_before_any_advice_about_wires() {
+        let (mut desk, paper) = desk();
+        let tell = |unknown, fd_frames| {
+            let first_unknown = "hello".to_owned();
+            paper.0.lock().unwrap().said = Said { unknown, fd_frames, first_unknown, ..Said::default() };
+        };
+        tell(3, 1);
+        let lines = desk.status(SILENCE_US);
+        let expected = "          3 lines of the adapter are not understood, the first is `hello`";
+        assert_eq!(lines[1], expected);
+        assert!(lines[2].contains("1 frames of CAN FD"), "{lines:?}");
+        assert!(lines[3].contains("nothing from the cluster yet"), "{lines:?}");
+        tell(5, 1);
+        assert_eq!(desk.status(SILENCE_US * 2).len(), 1, "little more is no news");
+        tell(6, 1);
+        assert!(desk.status(SILENCE_US * 3)[1].contains("6 lines"));
     }
 
     #[test]

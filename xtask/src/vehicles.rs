@@ -42,9 +42,10 @@ impl Tables {
 
     /// Returns the vehicle that most frames of a recording belong to, of those that an image can hold.
     pub fn of_log(log: &Log) -> Option<Self> {
+        let ids: Vec<(CanId, usize)> = log.entries.iter().map(|entry| (can_id(entry.frame.id), 1)).collect();
         let heard = |tables: &Self| {
-            let ids = log.entries.iter().map(|entry| can_id(entry.frame.id));
-            ids.filter(|id| tables.message(*id).is_some()).count()
+            let known = ids.iter().filter(|(id, _)| tables.message(*id).is_some());
+            known.map(|(_, frames)| frames).sum::<usize>()
         };
         let best = Self::all().map(|tables| (heard(&tables), tables)).max_by_key(|(count, _)| *count);
         best.filter(|(count, _)| *count > 0).map(|(_, tables)| tables)

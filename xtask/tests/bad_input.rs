@@ -34,7 +34,10 @@ fn a_malformed_log_is_named_with_its_line() {
     );
     for command in [&["replay"][..], &["run", "--headless", "--log"]] {
         let said = complaint(&[command, &[log.as_str()]].concat());
-        assert!(said.contains("bad.log:2: `01020` is not pairs of hexadecimal digits"), "{said}");
+        assert!(
+            said.contains("bad.log:2:21: `01020` is not pairs of hexadecimal digits (candump -l)"),
+            "{said}"
+        );
     }
 }
 

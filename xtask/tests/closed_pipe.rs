@@ -35,6 +35,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("build", "builds the firmware"),
     ("ci", "the steps of `test` and of all others"),
     ("codecs", "builds programs for the chip"),
+    ("convert", "writes a file and prints one line: tools_recordings.rs"),
     ("coverage", "builds the tests anew"),
     ("figures", "builds the firmware and drives it for minutes"),
     ("flash", "prints by the board: tools_flash.rs"),

@@ -277,7 +277,7 @@ fn a_bad_line_of_a_stream_is_named() {
     let output = piped(&["-"], "(0.0) can0 0CF101A7#D000000050FF801F\n(0.1) can0 0CF101A7#D0000\n");
     assert_eq!(output.status.code(), Some(1));
     let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("stdin:2: `D0000` is not pairs of hexadecimal digits"), "{said}");
+    assert!(said.contains("stdin:2:21: `D0000` is not pairs of hexadecimal digits (candump -l)"), "{said}");
 }
 
 #[test]

@@ -45,6 +45,27 @@ fn a_file_with_what_came_from_a_cluster_is_printed() {
     );
 }
 
+#[test]
+fn what_a_cluster_says_cannot_steer_the_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("uart.bin");
+    let records = [
+        Record::Hello { version: "\u{1b}[2J".into(), vehicle: "\u{9b}2J\n".into(), build: 7 },
+        Record::Panic { line: 3, text: "\u{1b}]0;x\u{7}\u{202e}\nhello".into() },
+    ];
+    let mut bytes = Vec::new();
+    for record in &records {
+        let mut frame = [0; MAX_FRAME];
+        let length = encode(record, &mut frame).unwrap();
+        bytes.extend_from_slice(&frame[..length]);
+    }
+    std::fs::write(&path, bytes).unwrap();
+    let printed = String::from_utf8(listen(path.to_str().unwrap()).stdout).unwrap();
+    let expected = "hello   firmware \\u{1b}[2J for \\u{9b}2J\\n, build 00000007\n\
+                    panic   line 3: \\u{1b}]0;x\\u{7}\\u{202e}\\nhello\n";
+    assert_eq!(printed, expected);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_device_that_is_no_serial_port_is_named() {

@@ -151,6 +151,119 @@ fn a_time_below_zero_is_printed_as_the_recorder_wrote_it() {
     assert_eq!(speeds(&rows), [("-1.5".into(), "10".into()), ("1e-6".into(), "11".into())]);
 }
 
+#[test]
+fn a_recording_is_converted_in_every_form_and_back() {
+    let folder = Folder::new();
+    let text = "(1767225600.000001) can0 123#0102\n(1767225600.250000) can1 18FEF100#01020304050607AB\n\
+                (1767225601.000000) can0 124#R4\n(1767225602.000000) can1 125#0102030405060708_D\n";
+    let log = folder.written("a.log", text);
+    let (asc, back) = (folder.path("a.asc"), folder.path("b.log"));
+    let (said, _) = done(&["convert", &log, &asc]);
+    assert!(said.contains("a.asc: 4 frames (candump -l)"), "{said}");
+    let written = fs::read_to_string(&asc).unwrap();
+    assert!(written.starts_with("date Thu Jan 01 12:00:00.000 am 2026\n"), "{written}");
+    assert!(
+        written.contains("\n   0.249999 2  18FEF100x       Rx   d 8 01 02 03 04 05 06 07 AB\n"),
+        "{written}"
+    );
+    done(&["convert", &asc, &back]);
+    let expected = "(0.000000) can0 123#0102\n(0.249999) can1 18FEF100#01020304050607AB\n\
+                    (0.999999) can0 124#R4\n(1.999999) can1 125#0102030405060708_D\n";
+    assert_eq!(fs::read_to_string(&back).unwrap(), expected);
+    let csv = folder.path("a.csv");
+    let said = complaint(&["convert", &log, &csv]);
+    assert!(said.contains("the log has 2 channels (can0: 2 frames, can1: 2 frames)"), "{said}");
+    assert!(!fs::exists(&csv).unwrap(), "nothing is written then");
+    done(&["convert", &log, &csv, "--channel", "can0"]);
+    let rows = "timestamp,arbitration_id,extended,remote,error,dlc,data\n1767225600.000001,0x123,0,0,0,2,AQI=\n\
+                1767225601.000000,0x124,0,1,0,4,\n";
+    assert_eq!(fs::read_to_string(&csv).unwrap(), rows);
+    let said = complaint(&["convert", &log, &asc]);
+    assert!(said.contains("a.asc is already there"), "{said}");
+    let said = complaint(&["convert", &log, &folder.path("a.xyz")]);
+    assert!(said.contains(".xyz is no form that is written"), "{said}");
+}
+
+#[test]
+fn a_conversion_that_fails_leaves_nothing() {
+    let folder = Folder::new();
+    let log = folder.written("a.log", "(2.0) can0 123#01\n(1.0) can0 123#02\n");
+    let said = complaint(&["convert", &log, &folder.path("b.asc"), "--times", "absolute"]);
+    assert!(said.contains("a.log:2: time goes back by 1.000000 s"), "{said}");
+    assert_eq!(fs::read_dir(folder.0.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn strict_refuses_what_is_otherwise_said() {
+    let folder = Folder::new();
+    let log = folder.written("x.log", &format!("{}hello\n", vcu1(" (1.0)  can0", 10)));
+    for command in ["decode", "replay"] {
+        let (_, said) = done(&[command, &log]);
+        assert!(said.contains("1 line is no frame: line 2"), "{said}");
+        let said = complaint(&[command, &log, "--strict"]);
+        assert!(said.contains("x.log:2: the line is no frame, and `--strict` leaves nothing out"), "{said}");
+    }
+}
+
+#[test]
+fn the_silence_after_the_last_frame_is_played_if_asked_for() {
+    let folder = Folder::new();
+    // Shorter than the time after which a counter that stands still is no sign of life.
+    let lines = (0..20).map(|n| vcu1(&format!(" (1.{:02})  can0", n * 2), 10));
+    let log = folder.written("x.log", &lines.collect::<String>());
+    let (short, _) = done(&["replay", &log]);
+    assert!(short.contains("vehicle.speed               10.0 km/h"), "{short}");
+    assert!(!short.contains("-- (stale)"), "{short}");
+    let (long, _) = done(&["replay", &log, "--tail", "5"]);
+    let stale = long.lines().find(|line| line.contains("vehicle.speed") && line.contains("-- (stale)"));
+    assert!(stale.is_some(), "{long}");
+    assert!(
+        long.starts_with(short.split("\nvehicle ").next().unwrap()),
+        "what was played before is the same"
+    );
+    assert!(long.lines().any(|line| line.contains("noted")), "the lost node is noted: {long}");
+    assert!(long.contains("frames   20 in 0.380 s"), "the summary is of the recording: {long}");
+}
+
+/// What would clear the screen, and what would write from right to left.
+const STEERING: &str = "\u{1b}[2J\u{9b}2J\u{202e}\u{7}";
+
+#[test]
+fn nothing_that_a_file_says_can_steer_the_terminal() {
+    let folder = Folder::new();
+    let good = "(1.0) can0 0CF101A7#D000000A50FF8001\n";
+    let in_data = folder.written("data.log", &format!("{good}(2.0) can0 123#{STEERING}\n"));
+    let in_channel =
+        folder.written("channel.log", &format!("{good}(2.0) {STEERING} 0CF101A7#D000000A50FF8001\n"));
+    let in_name = folder.written(&format!("{STEERING}.log"), &format!("{good}hello\n"));
+    let in_type = folder.written("type.trc", &format!(";$FILEVERSION=1.1\n1) 1.0 {STEERING} 0123 1 00\n"));
+    let dbc = folder
+        .written("x.dbc", &format!("VERSION \"\"\n\nBU_: A\n\nBO_ 1 M: 8 A\n SG_ {STEERING} : 0|8@1+\n"));
+    let missing = folder.path(&format!("no{STEERING}"));
+    let cases: &[&[&str]] = &[
+        &["decode", &in_data],
+        &["replay", &in_data],
+        &["decode", &in_channel],
+        &["replay", &in_type],
+        &["decode", &in_name],
+        &["replay", &in_name],
+        &["convert", &in_name, &folder.path(&format!("{STEERING}.asc"))],
+        &["decode", &missing],
+        &["listen", &in_name],
+        &["listen", &missing],
+        &["dbc", &dbc],
+        &["run", "--headless", "--log", &missing],
+    ];
+    for arguments in cases {
+        let Output { stdout, stderr, .. } = xtask(arguments);
+        for printed in [stdout, stderr] {
+            let printed = String::from_utf8(printed).unwrap();
+            let obeyed = |sign: char| sign.is_control() && sign != '\n' && sign != '\t' || sign == '\u{202e}';
+            assert!(!printed.contains(obeyed), "{arguments:?}: {printed:?}");
+        }
+    }
+}
+
 /// The image that `cargo xtask test` builds first.
 fn elf() -> String {
     let built = || root().join("target/out/cluster-ili9341.elf");

@@ -7,6 +7,7 @@ use super::slcan::{Answer, Command, Line, Lines};
 use super::wire::{Outbox, Wire};
 use super::{Port, Tool};
 use crate::can::{Event, EventKind, Frame, NodeMode};
+use crate::printable::printable;
 use std::collections::VecDeque;
 use std::io;
 
@@ -16,6 +17,8 @@ const OUTBOX_LINES: usize = 1_024;
 const READ_MAX: usize = 4_096;
 /// Frames that wait for an adapter that is busy.
 const BACKLOG_MAX: usize = 1_024;
+/// Characters that are repeated of a line that was not understood.
+const QUOTED_MAX: usize = 40;
 /// Frames that are taken from an adapter in one turn: more than any bus carries in that time.
 const FRAMES_PER_TURN: usize = 256;
 
@@ -37,6 +40,24 @@ pub trait Adapter: Send {
     fn refused(&self) -> u64 {
         0
     }
+
+    /// What the adapter has said besides frames.
+    fn said(&self) -> Said {
+        Said::default()
+    }
+}
+
+/// What an adapter has said besides frames.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Said {
+    /// Answers and frames that were understood.
+    pub understood: u64,
+    /// Frames of CAN FD, which are not taken.
+    pub fd_frames: u64,
+    /// Lines that were not understood.
+    pub unknown: u64,
+    /// The first of these, with its control characters escaped.
+    pub first_unknown: String,
 }
 
 impl<A: Adapter + ?Sized> Adapter for Box<A> {
@@ -51,6 +72,10 @@ impl<A: Adapter + ?Sized> Adapter for Box<A> {
     fn refused(&self) -> u64 {
         (**self).refused()
     }
+
+    fn said(&self) -> Said {
+        (**self).said()
+    }
 }
 
 /// A serial adapter that speaks SLCAN.
@@ -60,6 +85,7 @@ pub struct SlcanAdapter<W: Wire> {
     outbox: Outbox,
     heard: VecDeque<Frame>,
     refused: u64,
+    said: Said,
 }
 
 impl<W: Wire> SlcanAdapter<W> {
@@ -75,7 +101,8 @@ impl<W: Wire> SlcanAdapter<W> {
             io::Error::new(io::ErrorKind::InvalidInput, problem)
         })?;
         let (lines, outbox) = (Lines::of_answers(), Outbox::new(OUTBOX_LINES));
-        let mut adapter = Self { wire, lines, outbox, heard: VecDeque::new(), refused: 0 };
+        let mut adapter =
+            Self { wire, lines, outbox, heard: VecDeque::new(), refused: 0, said: Said::default() };
         // The empty line ends what another program may have left half said.
         for command in [Command::Nothing, Command::Close, setup, Command::Open] {
             adapter.outbox.push(command.line());
@@ -113,13 +140,9 @@ impl<W: Wire> Adapter for SlcanAdapter<W> {
             for &byte in &bytes[..count] {
                 match self.lines.push(byte) {
                     Some(Line::Bell) => self.refused += 1,
-                    Some(Line::Text(line)) => {
-                        if let Some(Answer::Received { frame, .. }) = Answer::parse(line) {
-                            self.heard.push_back(frame);
-                        }
-                    }
-                    // Adapters say more than the protocol has; what is no frame is not for here.
-                    Some(Line::TooLong) | None => {}
+                    Some(Line::Text(line)) => self.heard.extend(self.said.take(line)),
+                    Some(Line::TooLong) => self.said.not_understood("a line that does not end"),
+                    None => {}
                 }
             }
         }
@@ -128,6 +151,38 @@ impl<W: Wire> Adapter for SlcanAdapter<W> {
 
     fn refused(&self) -> u64 {
         self.refused
+    }
+
+    fn said(&self) -> Said {
+        self.said.clone()
+    }
+}
+
+impl Said {
+    /// Takes a line and returns the frame in it.
+    fn take(&mut self, line: &[u8]) -> Option<Frame> {
+        match (Answer::parse(line), line.first()) {
+            (Some(Answer::Received { frame, .. }), _) => {
+                self.understood += 1;
+                return Some(frame);
+            }
+            (Some(_), _) => self.understood += 1,
+            (None, Some(b'd' | b'D' | b'b' | b'B')) if line.iter().all(u8::is_ascii_hexdigit) => {
+                self.fd_frames += 1;
+            }
+            // Versions and serial numbers of any form; nobody here asks for one.
+            (None, Some(b'V' | b'v' | b'N')) => self.understood += 1,
+            (None, _) => self.not_understood(&String::from_utf8_lossy(line)),
+        }
+        None
+    }
+
+    fn not_understood(&mut self, line: &str) {
+        if self.unknown == 0 {
+            let start: String = line.chars().take(QUOTED_MAX).collect();
+            self.first_unknown = printable(&start).into_owned();
+        }
+        self.unknown += 1;
     }
 }
 

@@ -4,6 +4,9 @@
 //! was refused. A line that is too long is thrown away whole and the next one is read again. Refuses to know what
 //! is open: that is [`super::terminal`] for the adapter's side and [`super::adapter`] for the other.
 //!
+//! As a client it takes what adapters really say: what stands behind the data of a frame is no matter of ours (time
+//! stamps of four or eight digits, error states), as Linux's slcan driver and python-can have it.
+//!
 //! Source: LAWICEL CAN232 manual, command set of version 3; python-can's `slcan` and SavvyCAN's LAWICEL driver for
 //! what clients really send (an empty line, an open channel opened again, bit 31 set in 29-bit identifiers).
 //! Not supported: CAN FD (`d D b B`), polling (`P A X`), the UART's speed (`U`), autostart (`Q`): refused with BEL.
@@ -17,8 +20,10 @@ const CR: u8 = b'\r';
 const LF: u8 = b'\n';
 /// The answer to a command that is refused; it has no CR.
 const BELL: u8 = 0x07;
-/// Longest line, CR not counted: `T`, 8 digits, length, 16 digits of data, 4 of the time stamp, and some air.
+/// Longest line of a client, CR not counted: `T`, 8 digits, length, 16 digits of data, 4 of the time stamp, and some air.
 pub const LINE_MAX: usize = 32;
+/// Longest line of an adapter: a frame of CAN FD has 138 digits, and a version is a whole sentence in some.
+const ANSWER_MAX: usize = 256;
 /// Time stamps count milliseconds and start again after a minute.
 const STAMP_WRAP_MS: u64 = 60_000;
 /// Data bytes of a classic frame; the length is one decimal digit.
@@ -190,7 +195,8 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Reads a line without its end; `None` if no adapter says that.
+    /// Reads a line without its end; `None` if it is not understood. What stands behind the data of a frame is ignored,
+    /// but for a time stamp of four digits.
     pub fn parse(line: &[u8]) -> Option<Self> {
         let Some((&letter, rest)) = line.split_first() else { return Some(Self::Done) };
         let four = || <[u8; 4]>::try_from(rest).ok();
@@ -200,12 +206,11 @@ impl Answer {
             (b'v', _) => four().filter(|text| text.iter().all(u8::is_ascii_digit)).map(Self::Software),
             (b'N', _) => four().filter(|text| text.iter().all(u8::is_ascii_alphanumeric)).map(Self::Serial),
             (b'F', _) => u8::try_from(hex(rest, 2)?).ok().map(Self::Status),
-            (b't' | b'T' | b'r' | b'R', _) => {
+            (b't' | b'T' | b'r' | b'R' | b'x', _) => {
+                // CANdapter has `x` for `T`.
+                let letter = if letter == b'x' { b'T' } else { letter };
                 let (frame, rest) = frame(letter, rest)?;
-                let stamp = match rest {
-                    [] => None,
-                    rest => Some(u16::try_from(hex(rest, 4)?).ok()?),
-                };
+                let stamp = hex(rest, 4).and_then(|stamp| u16::try_from(stamp).ok());
                 Some(Self::Received { frame, stamp })
             }
             _ => None,
@@ -292,7 +297,7 @@ fn frame_text(frame: &Frame) -> String {
 pub enum Line<'a> {
     /// What stood before the CR.
     Text(&'a [u8]),
-    /// More than [`LINE_MAX`] bytes stood before the CR; they are gone.
+    /// More bytes than any line has stood before the CR; they are gone.
     TooLong,
     /// A BEL where answers are read. What stood before it is gone: no answer is cut by one.
     Bell,
@@ -301,8 +306,10 @@ pub enum Line<'a> {
 /// Cuts a stream of bytes into lines.
 #[derive(Clone, Debug)]
 pub struct Lines {
-    line: [u8; LINE_MAX],
+    line: [u8; ANSWER_MAX],
     length: usize,
+    /// Longest line that is taken.
+    limit: usize,
     too_long: bool,
     bells: bool,
 }
@@ -310,12 +317,12 @@ pub struct Lines {
 impl Lines {
     /// Of a client: BEL is a byte like any other.
     pub fn of_commands() -> Self {
-        Self { line: [0; LINE_MAX], length: 0, too_long: false, bells: false }
+        Self { line: [0; ANSWER_MAX], length: 0, limit: LINE_MAX, too_long: false, bells: false }
     }
 
     /// Of an adapter: BEL is an answer.
     pub fn of_answers() -> Self {
-        Self { bells: true, ..Self::of_commands() }
+        Self { bells: true, limit: ANSWER_MAX, ..Self::of_commands() }
     }
 
     /// Takes one byte; returns the line that it ends.
@@ -332,7 +339,7 @@ impl Lines {
             }
             LF => None,
             byte => {
-                match self.line.get_mut(self.length) {
+                match self.line[..self.limit].get_mut(self.length) {
                     Some(place) => (*place, self.length) = (byte, self.length + 1),
                     None => self.too_long = true,
                 }

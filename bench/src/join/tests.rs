@@ -1,6 +1,6 @@
 //! Tools on a small bus: what a client sees of it, byte by byte.
 
-use super::adapter::{Adapter, Bridge, SlcanAdapter};
+use super::adapter::{Adapter, Bridge, Said, SlcanAdapter};
 use super::recorder::Recorder;
 use super::slcan::Flag;
 use super::terminal::Terminal;
@@ -400,6 +400,83 @@ fn an_adapters_client_opens_sends_hears_and_closes() {
     assert_eq!(answers(&line), "\rC\r");
     let Err(error) = SlcanAdapter::open(line, 333_000) else { panic!("there is no such code") };
     assert!(error.to_string().contains("333000"), "{error}");
+}
+
+/// Whose script it is, its bytes, the frames heard of it, counts of what is understood, of CAN FD and of lines that are not
+/// understood, and the first of these.
+type Script = (&'static str, &'static [u8], &'static [&'static str], (u64, u64, u64), &'static str);
+
+/// What adapters of several makers say.
+const SCRIPTS: &[Script] = &[
+    (
+        "LAWICEL CAN232: answers, time stamps, a refusal",
+        b"\r\r\x07V1013\rNA123\rF00\rz\rZ\rt1232DEAD1A2B\rT18FEF10010500FF\r",
+        &["123#DEAD", "18FEF100#05"],
+        (9, 0, 0),
+        "",
+    ),
+    (
+        "USBtin: versions, serial number, lower case, remote requests",
+        b"\x07\rV0100\rv0107\rNFFFF\r\rt7ff101\rr1230\rR000000018\r",
+        &["7FF#01", "123#R0", "00000001#R8"],
+        (8, 0, 0),
+        "",
+    ),
+    (
+        "CANable: a version of words, no answers, stamps of eight digits, an error state behind the data",
+        b"VL2K1-0c8b7ab github.com/normaldotcom/canable2.git\rt1232DEAD0001E240\rt1231AA0\r",
+        &["123#DEAD", "123#AA"],
+        (3, 0, 0),
+        "",
+    ),
+    (
+        "CANdapter: `x` for 29 bits, and a line feed behind each line",
+        b"\r\nx18FEF100105\r\nt1230\r\n",
+        &["18FEF100#05", "123#"],
+        (3, 0, 0),
+        "",
+    ),
+    ("an adapter on CAN FD", b"d1239000102030405060708090A0B\rb12310\rt1230\r", &["123#"], (1, 2, 0), ""),
+    (
+        "another program on the port",
+        b"Booting\x1b[2J...\rt12\rt1232DE\rt1239\rE1\rt1231FF\r",
+        &["123#FF"],
+        (1, 0, 5),
+        "Booting\\u{1b}[2J...",
+    ),
+];
+
+#[test]
+fn what_real_adapters_say_is_heard_or_counted() {
+    for (name, script, frames, (understood, fd_frames, unknown), first_unknown) in SCRIPTS {
+        // Whole, and byte by byte as from a slow port.
+        for size in [script.len(), 1] {
+            let line = Line::default();
+            locked(&line).room = usize::MAX;
+            let mut adapter = SlcanAdapter::open(Arc::clone(&line), 250_000).unwrap();
+            let mut heard = Vec::new();
+            for part in script.chunks(size) {
+                locked(&line).incoming.extend(part);
+                heard
+                    .extend(std::iter::from_fn(|| adapter.receive().unwrap()).map(|frame| frame.to_string()));
+            }
+            assert_eq!(heard, *frames, "{name}");
+            let first_unknown = (*first_unknown).to_owned();
+            let (understood, fd_frames, unknown) = (*understood, *fd_frames, *unknown);
+            assert_eq!(adapter.said(), Said { understood, fd_frames, unknown, first_unknown }, "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_line_without_end_is_counted_and_the_next_one_heard() {
+    let line = Line::default();
+    locked(&line).room = usize::MAX;
+    let mut adapter = SlcanAdapter::open(Arc::clone(&line), 250_000).unwrap();
+    locked(&line).incoming.extend([b'~'; 10_000].iter().chain(b"\rt1230\r"));
+    // It reads some thousand bytes at a time.
+    let heard = (0..10).filter_map(|_| adapter.receive().unwrap()).count();
+    assert_eq!((heard, adapter.said().unknown), (1, 1));
 }
 
 #[cfg(unix)]

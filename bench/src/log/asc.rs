@@ -4,10 +4,10 @@
 //! says whether numbers are hexadecimal and what the times count from. Events of other kinds (statistics, transport
 //! protocols, other buses) are no frames.
 
-use super::line::{Event, Line};
+use super::line::{Event, Line, ReadLine, What};
 use super::token::{
-    CAN_FD, Evidence, Stamp, coded_frame, data_length, hex, hex_byte, identifier, is_digits, payload, quoted,
-    seconds,
+    Evidence, Problem, Read, Stamp, coded_frame, data_length, hex, hex_byte, identifier, is_digits, payload,
+    quoted, seconds,
 };
 use crate::can::Frame;
 
@@ -31,8 +31,9 @@ pub(super) fn looks_like(line: &str) -> bool {
         || words.first().is_some_and(|time| seconds(time).is_ok()) && Parts::of(&words).is_some()
 }
 
-impl Asc {
-    pub(super) fn read(&mut self, line: &str) -> Result<Line, String> {
+impl ReadLine for Asc {
+    fn read(&mut self, line: &str) -> Read<Line> {
+        let line = line.trim();
         let lower = line.to_ascii_lowercase();
         let words: Vec<&str> = line.split_whitespace().collect();
         let Some(first) = words.first() else { return Ok(Line::Blank) };
@@ -54,10 +55,11 @@ impl Asc {
         let at = at?;
         if words[1..].iter().any(|word| word.eq_ignore_ascii_case("errorframe")) {
             let channel = words.get(1).map_or_else(String::new, |word| (*word).to_owned());
-            return Ok(Line::Event(Event { at: Some(at), channel, frame: None }));
+            return Ok(Line::Event(Event { at: Some(at), channel, what: What::BusError }));
         }
         if words.get(1) == Some(&"CANFD") {
-            return Err(CAN_FD.into());
+            let channel = words.get(2).map_or_else(String::new, |word| (*word).to_owned());
+            return Ok(Line::Event(Event { at: Some(at), channel, what: What::FdFrame }));
         }
         let Some(Parts { channel, id, kind, rest }) = parts else { return Ok(Line::Foreign(Some(at))) };
         let bare = id.strip_suffix(['x', 'X']);
@@ -65,13 +67,18 @@ impl Asc {
         let frame = match kind {
             "d" | "D" => self.data_frame(id, rest)?,
             "r" | "R" => Frame::new_remote(id, self.remote_length(rest)?),
-            other => return Err(format!("{} behind Rx or Tx; d is data, r a remote request", quoted(other))),
+            other => {
+                let text = format!("{} behind Rx or Tx; d is data, r a remote request", quoted(other));
+                return Err(Problem::of(other, text));
+            }
         };
-        Ok(Line::Event(Event { at: Some(at), channel, frame: Some(frame) }))
+        Ok(Line::Event(Event { at: Some(at), channel, what: What::Frame(frame) }))
     }
+}
 
+impl Asc {
     /// `base hex timestamps absolute`
-    fn read_base(&mut self, lower: &str) -> Result<(), String> {
+    fn read_base(&mut self, lower: &str) -> Read<()> {
         let words: Vec<&str> = lower.split_whitespace().collect();
         self.decimal = match words.get(1) {
             Some(&"hex") => false,
@@ -104,10 +111,9 @@ impl Asc {
         code.filter(|code| *code <= 15)
     }
 
-    fn data_frame(&self, id: crate::can::Id, rest: &[&str]) -> Result<Frame, String> {
+    fn data_frame(&self, id: crate::can::Id, rest: &[&str]) -> Read<Frame> {
         let length = rest.first().copied().unwrap_or("");
-        let code =
-            self.code(length).ok_or_else(|| format!("{} is not a length code of 0 to 15", quoted(length)))?;
+        let code = self.code(length).ok_or_else(|| not_a_code(length))?;
         let needed = data_length(code);
         let words = rest.get(1..=needed).ok_or_else(|| format!("fewer than {needed} data bytes"))?;
         let byte = |word: &str| {
@@ -120,17 +126,19 @@ impl Asc {
     }
 
     /// Reads the length of a remote request, which may be missing before `Length = 1704000 ...`.
-    fn remote_length(&self, rest: &[&str]) -> Result<u8, String> {
+    fn remote_length(&self, rest: &[&str]) -> Read<u8> {
         let is_attribute =
             |word: &str| word.contains('=') || rest.get(1).is_some_and(|next| next.starts_with('='));
         match rest.first() {
             None => Ok(0),
             Some(word) if is_attribute(word) => Ok(0),
-            Some(word) => {
-                self.code(word).ok_or_else(|| format!("{} is not a length code of 0 to 15", quoted(word)))
-            }
+            Some(word) => self.code(word).ok_or_else(|| not_a_code(word)),
         }
     }
+}
+
+fn not_a_code(text: &str) -> Problem {
+    Problem::of(text, format!("{} is not a length code of 0 to 15", quoted(text)))
 }
 
 /// A line that is meant as a frame, cut at the word `Rx` or `Tx`.

@@ -1,12 +1,13 @@
 //! can-utils' candump: `candump -l` files and what candump prints on the screen.
 //!
-//! Source: can-utils lib.c and candump.c. Of the screen's options `-a`, `-e`, `-t`, `-x` and `-8` are read; `-i` and `-S`
-//! are refused.
+//! Source: can-utils lib.c and candump.c. Of the screen's options `-a`, `-c`, `-e`, `-t`, `-x` and `-8` are read; `-i` and
+//! `-S` are refused.
 
-use super::line::{Event, Line};
+use super::calendar;
+use super::line::{Event, Line, ReadLine, What};
 use super::token::{
-    CAN_FD, Evidence, Stamp, coded_frame, data_frame, hex, hex_byte, identifier, is_digits, payload, quoted,
-    seconds,
+    Evidence, Problem, Read, Stamp, coded_frame, data_frame, hex, hex_byte, identifier, is_digits, payload,
+    quoted, seconds, time_of_day,
 };
 use crate::can::{Frame, Id};
 
@@ -28,7 +29,7 @@ pub(super) fn looks_shown(line: &str) -> bool {
     matches!(Parts::of(line.trim()), Ok(Some(_)))
 }
 
-pub(super) fn read_logged(line: &str) -> Result<Line, String> {
+pub(super) fn read_logged(line: &str) -> Read<Line> {
     if line.is_empty() || line.starts_with('#') {
         return Ok(Line::Blank);
     }
@@ -41,29 +42,33 @@ pub(super) fn read_logged(line: &str) -> Result<Line, String> {
     // The last word is the direction, which `candump -l -x` writes.
     let ([channel, text] | [channel, text, "R" | "T"]) = words[..] else { return Err(expected.into()) };
     let at = Some(stamp(time)?);
-    let event = |frame| Ok(Line::Event(Event { at, channel: channel.to_owned(), frame }));
-    let (id, data) =
-        text.split_once('#').ok_or_else(|| format!("{} has no `#` between id and data", quoted(text)))?;
+    let event = |what| Ok(Line::Event(Event { at, channel: channel.to_owned(), what }));
+    let (id, data) = text
+        .split_once('#')
+        .ok_or_else(|| Problem::of(text, format!("{} has no `#` between id and data", quoted(text))))?;
+    let Some(id) = frame_identifier(id)? else { return event(What::BusError) };
     if data.starts_with('#') {
-        return Err(CAN_FD.into());
+        return event(What::FdFrame);
     }
-    let Some(id) = frame_identifier(id)? else { return event(None) };
     if let Some(length) = data.strip_prefix('R') {
-        let code = remote_length(length)
-            .ok_or_else(|| format!("{} is not a remote request: R, R0 to R8, R8_9 to R8_F", quoted(data)))?;
-        return event(Some(Frame::new_remote(id, code)));
+        let code = remote_length(length).ok_or_else(|| {
+            let text = format!("{} is not a remote request: R, R0 to R8, R8_9 to R8_F", quoted(data));
+            Problem::of(data, text)
+        })?;
+        return event(What::Frame(Frame::new_remote(id, code)));
     }
     let (bytes, code) = data.split_once('_').map_or((data, None), |(bytes, code)| (bytes, Some(code)));
     if bytes.len() % 2 != 0 || !bytes.bytes().all(|byte| byte.is_ascii_hexdigit()) {
-        return Err(format!("{} is not pairs of hexadecimal digits", quoted(bytes)));
+        return Err(Problem::of(bytes, format!("{} is not pairs of hexadecimal digits", quoted(bytes))));
     }
     let pairs = (0..bytes.len()).step_by(2).map(|at| &bytes[at..at + 2]);
     let bytes = payload(pairs, hex_byte(2..=2))?;
-    event(Some(match code {
+    event(What::Frame(match code {
         None => data_frame(id, &bytes)?,
-        Some(code) => {
-            let read = raw_length(code);
-            let code = read.ok_or_else(|| format!("{} is not a length code of 9 to F", quoted(code)))?;
+        Some(text) => {
+            let code = raw_length(text).ok_or_else(|| {
+                Problem::of(text, format!("{} is not a length code of 9 to F", quoted(text)))
+            })?;
             coded_frame(id, code, &bytes)?
         }
     }))
@@ -76,8 +81,8 @@ pub(super) struct Shown {
     explains: bool,
 }
 
-impl Shown {
-    pub(super) fn read(&mut self, line: &str) -> Result<Line, String> {
+impl ReadLine for Shown {
+    fn read(&mut self, line: &str) -> Read<Line> {
         let text = line.trim();
         if text.is_empty() || text.starts_with('#') || self.explains && line.starts_with('\t') {
             return Ok(Line::Blank);
@@ -91,30 +96,29 @@ impl Shown {
         };
         let at = time.map(stamp).transpose()?;
         if !matches!(between[..], [] | ["RX" | "TX", "-" | "B", "-" | "E"]) {
-            return Err(format!("{} between interface and identifier", quoted(&between.join(" "))));
+            let text = format!("{} between interface and identifier", quoted(&between.join(" ")));
+            return Err(Problem::of(between[0], text));
         }
-        let event = |frame| Ok(Line::Event(Event { at, channel: channel.to_owned(), frame }));
+        let event = |what| Ok(Line::Event(Event { at, channel: channel.to_owned(), what }));
         let Some(id) = frame_identifier(id)? else {
             self.explains = true;
-            return event(None);
+            return event(What::BusError);
         };
-        let code = length.code()?;
+        let Some(code) = length.code()? else { return event(What::FdFrame) };
         if tail.trim() == "remote request" {
-            return event(Some(Frame::new_remote(id, code)));
+            return event(What::Frame(Frame::new_remote(id, code)));
         }
         // `-a` adds an ASCII view in quotes at the end.
         let words: Vec<&str> = tail.split('\'').next().unwrap_or(tail).split_whitespace().collect();
         let is_binary = |word: &&str| word.len() == 8 && word.bytes().all(|bit| matches!(bit, b'0' | b'1'));
         if !words.is_empty() && words.iter().all(is_binary) {
-            return Err(format!(
-                "{} is binary, as candump -i writes it; record without -i",
-                quoted(words[0])
-            ));
+            let text = format!("{} is binary, as candump -i writes it; record without -i", quoted(words[0]));
+            return Err(Problem::of(words[0], text));
         }
         if words.iter().any(|word| word.contains('`')) {
             return Err("the bytes stand in reverse, as candump -S writes them; record without -S".into());
         }
-        event(Some(coded_frame(id, code, &payload(words, hex_byte(2..=2))?)?))
+        event(What::Frame(coded_frame(id, code, &payload(words, hex_byte(2..=2))?)?))
     }
 }
 
@@ -136,27 +140,28 @@ enum Length<'a> {
 }
 
 impl Length<'_> {
-    fn code(&self) -> Result<u8, String> {
+    /// Returns the length code; `None` = a frame of CAN FD, whose length candump writes with two digits.
+    fn code(&self) -> Read<Option<u8>> {
         match self {
-            // candump writes the length of a CAN FD frame with two digits.
-            Self::Bytes(text) if text.len() == 2 && is_digits(text) => Err(CAN_FD.into()),
+            Self::Bytes(text) if text.len() == 2 && is_digits(text) => Ok(None),
             Self::Bytes(text) => match text.as_bytes() {
-                [digit @ b'0'..=b'8'] => Ok(digit - b'0'),
-                _ => Err(format!("{} is not a length of 0 to 8", quoted(text))),
+                [digit @ b'0'..=b'8'] => Ok(Some(digit - b'0')),
+                _ => Err(Problem::of(text, format!("{} is not a length of 0 to 8", quoted(text)))),
             },
             Self::Code(text) => hex_byte(1..=1)(text)
-                .ok_or_else(|| format!("{} is not a length code of 0 to F", quoted(text))),
+                .map(Some)
+                .ok_or_else(|| Problem::of(text, format!("{} is not a length code of 0 to F", quoted(text)))),
         }
     }
 }
 
 impl<'a> Parts<'a> {
     /// Returns the parts of a line that is meant as a frame, `None` of any other.
-    fn of(line: &'a str) -> Result<Option<Self>, String> {
+    fn of(line: &'a str) -> Read<Option<Self>> {
         let (time, rest) = match bracketed(line) {
             Some((time, rest)) => (Some(time), rest),
             None if line.starts_with('(') && line[1..].starts_with(|sign: char| sign.is_ascii_digit()) => {
-                return Err("the time has no closing bracket".into());
+                return Err(Problem::of(line, "the time has no closing bracket".into()));
             }
             None => (None, line),
         };
@@ -194,11 +199,16 @@ fn is_id_and_data(word: &str) -> bool {
     word.split_once('#').is_some_and(|(id, _)| matches!(id.len(), 3 | 8) && hex(id, 3..=8).is_some())
 }
 
-fn stamp(text: &str) -> Result<Stamp, String> {
-    let nanos = seconds(text).map_err(|problem| {
-        let is_date = text.contains('-') && text.contains(':');
-        if is_date { format!("{} is a date; candump -ta writes seconds", quoted(text)) } else { problem }
-    })?;
+/// Reads seconds, or a date as `-tA` writes it.
+fn stamp(text: &str) -> Read<Stamp> {
+    if let Some((date, clock)) = text.split_once(' ') {
+        let seconds = date_seconds(date).zip(time_of_day(clock, '.').ok());
+        let nanos = seconds.map(|(seconds, of_day)| seconds * 1_000_000_000 + of_day);
+        let nanos = nanos
+            .ok_or_else(|| Problem::of(text, format!("{} is neither seconds nor a date", quoted(text))))?;
+        return Ok(Stamp { nanos, evidence: Evidence::Absolute });
+    }
+    let nanos = seconds(text)?;
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     let evidence = match (whole.len(), fraction.len()) {
         (UNIX_DIGITS.., _) => Evidence::Absolute,
@@ -208,13 +218,28 @@ fn stamp(text: &str) -> Result<Stamp, String> {
     Ok(Stamp { nanos, evidence })
 }
 
+/// Reads `2026-01-31` as seconds since 1970; the zone is taken as UTC, the recorder's is not written.
+fn date_seconds(text: &str) -> Option<i64> {
+    let parts: Vec<&str> = text.split('-').collect();
+    let [year, month, day] = parts[..] else { return None };
+    let number = |text: &str, digits: usize| -> Option<i64> {
+        if text.len() == digits && is_digits(text) { text.parse().ok() } else { None }
+    };
+    let (year, month, day) = (number(year, 4)?, number(month, 2)?, number(day, 2)?);
+    if !(1970..=2200).contains(&year) || !(1..=12).contains(&month) || !(1..=31).contains(&day) {
+        return None;
+    }
+    Some(calendar::days(year, month, day) * 86_400)
+}
+
 /// Reads an identifier of three or eight digits; `None` = it marks an error frame.
-fn frame_identifier(text: &str) -> Result<Option<Id>, String> {
+fn frame_identifier(text: &str) -> Read<Option<Id>> {
     let extended = match text.chars().count() {
         3 => false,
         8 => true,
         n => {
-            return Err(format!("identifier {} has {n} digits; 3 for 11 bits, 8 for 29 bits", quoted(text)));
+            let problem = format!("identifier {} has {n} digits; 3 for 11 bits, 8 for 29 bits", quoted(text));
+            return Err(Problem::of(text, problem));
         }
     };
     let raw = hex(text, 3..=8);

@@ -8,8 +8,6 @@ use super::reader::{Reader, Said};
 use super::times::UNDECIDED;
 use super::token::Evidence;
 use super::{Channel, Entry, LogError, Reading, Times, notes};
-use crate::can::Frame;
-use crate::time::Nanos;
 
 /// Reads a recording line by line.
 #[derive(Debug)]
@@ -29,7 +27,7 @@ impl Live {
         };
         let times = reading.times.unwrap_or(Times::Absolute);
         Self {
-            reader: Reader::new(name),
+            reader: Reader::new(name, reading.strict),
             placer: Placer::new(reading.clone(), channel, times),
             times_known: reading.times.is_some(),
         }
@@ -40,13 +38,16 @@ impl Live {
     /// # Errors
     /// If the line cannot be read, its time goes back, or it leaves open what the reading does not say either.
     pub fn read(&mut self, line: &str) -> Result<Option<Entry>, LogError> {
-        let Some(said) = self.reader.read(line)? else { return Ok(None) };
+        let (text, is_ended) = match line.strip_suffix('\n') {
+            Some(text) => (text.strip_suffix('\r').unwrap_or(text), true),
+            None => (line, false),
+        };
+        let Some(said) = self.reader.read(text, is_ended)? else { return Ok(None) };
         let number = self.reader.number();
-        let placed = self.place(said).map_err(|problem| self.reader.wrong(number, problem))?;
-        Ok(placed.map(|(at, frame)| Entry { at, frame, line: number }))
+        self.place(number, said).map_err(|problem| self.reader.wrong(number, problem))
     }
 
-    fn place(&mut self, said: Said) -> Result<Option<(Nanos, Frame)>, String> {
+    fn place(&mut self, line: usize, said: Said) -> Result<Option<Entry>, String> {
         let at = match &said {
             Said::Event(event) => {
                 self.placer.keep_to_one(event)?;
@@ -56,14 +57,14 @@ impl Live {
         };
         if let (Some(at), false) = (at, self.times_known) {
             let times = match at.evidence {
-                Evidence::Absolute | Evidence::Likely => Times::Absolute,
+                Evidence::Absolute | Evidence::Midnight | Evidence::Likely => Times::Absolute,
                 Evidence::Delta => Times::Delta,
                 Evidence::Nothing => return Err(UNDECIDED.into()),
             };
             self.placer.count_from(times);
             self.times_known = true;
         }
-        self.placer.place(said)
+        self.placer.place(line, said)
     }
 
     /// Ends the recording.
@@ -87,6 +88,11 @@ impl Live {
     /// Returns how many bus errors were recorded so far.
     pub fn error_frames(&self) -> usize {
         self.placer.error_frames
+    }
+
+    /// Returns how many frames of CAN FD were left out so far.
+    pub fn fd_frames(&self) -> usize {
+        self.placer.fd_frames
     }
 
     /// Returns what a reader of the recording should know, one sentence each.

@@ -1,36 +1,48 @@
-//! Recordings of a CAN bus: reads the formats that people have, writes candump's.
+//! Recordings of a CAN bus: reads the formats that people have, writes three of them.
 //!
-//! Reads `candump -l` logs, what candump prints on the screen, Vector ASC and GVRET/SavvyCAN CSV; the format is found
-//! from the lines themselves, and a format that is recognised but not read is refused by its name. Every line is read,
-//! counted as no frame, or an error that names file and line: nothing is skipped silently. Error frames of a recording
-//! are counted, they carry no data.
+//! The formats are the rows of [`FORMATS`], and Vector BLF; a recording's is found from its head or its lines, and a
+//! format that is recognised but not read is refused by its name. Every line is read, counted as no frame, or an error
+//! that names file, line and column: nothing is skipped silently. Error frames and frames of CAN FD are counted.
 //!
 //! What a file does not tell is asked for, never guessed ([`Reading`]): which of several channels is meant, what the times
 //! count from, how far apart frames without times are. Clocks that go back by up to a tenth of a second are taken as the
 //! order in which a recorder emptied its buffers: such a frame keeps its place and takes the time of the one above.
-//! Not supported: CAN FD frames (an error that says so), binary formats (BLF, MF4): convert them with
-//! `python3 -m can.logconvert IN OUT.log`.
+//! A file is read twice and never held ([`Recording`]); [`Log`] holds all of its frames.
+//! Not supported: the data of CAN FD frames, MF4.
 
 mod asc;
+mod blf;
+mod busmaster;
+mod calendar;
 mod candump;
-mod format;
+mod crtd;
+mod formats;
 mod gvret;
+mod kvaser;
 mod line;
+mod lines;
 mod live;
-mod others;
+mod pcan;
 mod placer;
+mod python_csv;
 mod reader;
+mod recording;
+mod tables;
+mod terminals;
 mod times;
 mod token;
+mod write;
 
+pub use formats::{BLF, FORMATS, Format};
 pub use live::Live;
+pub use recording::{Entries, Recording};
+pub use write::{Form, Writer, candump_line};
 
 use crate::can::Frame;
+use crate::printable::printable;
 use crate::time::Nanos;
-use line::Event;
 use placer::Placer;
-use reader::{Reader, Said};
-use std::collections::HashMap;
+use reader::Reader;
 use std::fmt;
 use std::path::Path;
 
@@ -41,8 +53,10 @@ pub struct Entry {
     pub at: Nanos,
     /// The frame.
     pub frame: Frame,
-    /// The line it stands in, from 1.
+    /// The line it stands in, from 1; the object in a format without lines.
     pub line: usize,
+    /// Its channel: the place in [`Recording::channels`].
+    pub channel: usize,
 }
 
 /// A whole recording.
@@ -72,6 +86,8 @@ pub struct Reading {
     pub spacing: Option<Nanos>,
     /// Takes a recording without times as it is: all at zero.
     pub untimed: bool,
+    /// Refuses what is otherwise counted and said: lines that are no frames, frames of CAN FD, a last line that is cut off.
+    pub strict: bool,
 }
 
 /// Which channels of a recording are meant.
@@ -99,6 +115,8 @@ pub struct LogError {
     pub file: String,
     /// Line from 1; 0 if the file as a whole is meant.
     pub line: usize,
+    /// Column from 1, in characters; 0 if the line as a whole is meant.
+    pub column: usize,
     /// What is wrong.
     pub problem: String,
 }
@@ -106,10 +124,11 @@ pub struct LogError {
 /// What a file says reaches the terminal with its control characters escaped.
 impl fmt::Display for LogError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (file, problem) = (token::printable(&self.file), token::printable(&self.problem));
-        match self.line {
-            0 => write!(f, "{file}: {problem}"),
-            line => write!(f, "{file}:{line}: {problem}"),
+        let (file, problem) = (printable(&self.file), printable(&self.problem));
+        match (self.line, self.column) {
+            (0, _) => write!(f, "{file}: {problem}"),
+            (line, 0) => write!(f, "{file}:{line}: {problem}"),
+            (line, column) => write!(f, "{file}:{line}:{column}: {problem}"),
         }
     }
 }
@@ -150,102 +169,40 @@ impl Log {
 }
 
 impl Reading {
-    /// Reads a file.
+    /// Reads a file and holds all of its frames.
     ///
     /// # Errors
-    /// If the file is missing, is not text, or as for [`Reading::text`].
+    /// Like [`Reading::open`], and if time goes back.
     pub fn file(&self, path: &Path) -> Result<Log, LogError> {
-        let file = path.display().to_string();
-        let wrong = |problem: String| LogError { file: file.clone(), line: 0, problem };
-        let bytes = std::fs::read(path).map_err(|error| wrong(format!("cannot read the log: {error}")))?;
-        if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-            return Err(wrong("UTF-16 text; save it as UTF-8".into()));
-        }
-        // Frames are ASCII in every format; what else a head holds may be in any encoding.
-        let text = String::from_utf8_lossy(&bytes);
-        if matches!(text, std::borrow::Cow::Owned(_)) && bytes.contains(&0) {
-            return Err(wrong("not a text log (BLF and MF4: `python3 -m can.logconvert IN OUT.log`)".into()));
-        }
-        self.text(&file, &text)
+        self.open(path)?.log()
     }
 
     /// Reads the text of a recording; `file` is its name in errors.
     ///
     /// # Errors
-    /// If a line cannot be read, time goes back, there is no frame at all, or the file leaves open what this reading does
-    /// not say either.
+    /// Like [`Reading::file`].
     pub fn text(&self, file: &str, text: &str) -> Result<Log, LogError> {
-        let mut reader = Reader::new(file);
-        let (mut said, mut stamps) = (Vec::new(), Vec::new());
-        for line in text.split_inclusive('\n') {
-            let Some(what) = reader.read(line)? else { continue };
-            let at = match &what {
-                Said::Event(event) => event.at,
-                Said::Time(at) => Some(*at),
-            };
-            stamps.extend(at.map(|at| (reader.number(), at)));
-            said.push((reader.number(), what));
-        }
-        let channel = self.channel_of(&said).map_err(|problem| reader.wrong(0, problem))?;
-        let times = match self.times {
-            Some(times) => times,
-            None => times::kind_of(&stamps).map_err(|(line, problem)| reader.wrong(line, problem))?,
-        };
-        let mut placer = Placer::new(self.clone(), channel, times);
-        let mut entries = Vec::new();
-        for (line, what) in said {
-            let placed = placer.place(what).map_err(|problem| reader.wrong(line, problem))?;
-            entries.extend(placed.map(|(at, frame)| Entry { at, frame, line }));
-        }
-        if entries.is_empty() {
-            return Err(reader.no_frames());
-        }
-        Ok(Log {
-            origin: placer.origin(),
-            timed: placer.is_timed(),
-            error_frames: placer.error_frames,
-            notes: notes(&reader, &placer),
-            entries,
-        })
-    }
-
-    /// Returns the channel to keep, `None` = every one.
-    fn channel_of(&self, said: &[(usize, Said)]) -> Result<Option<String>, String> {
-        // In the order in which they are first heard.
-        let (mut heard, mut places) = (Vec::<(&str, usize)>::new(), HashMap::new());
-        for (_, what) in said {
-            let Said::Event(event @ Event { frame: Some(_), .. }) = what else { continue };
-            let place = *places.entry(event.channel.as_str()).or_insert_with(|| {
-                heard.push((&event.channel, 0));
-                heard.len() - 1
-            });
-            heard[place].1 += 1;
-        }
-        let list = || {
-            let name = |(name, frames): &(&str, usize)| format!("{name}: {frames} frames");
-            let named: Vec<String> = heard.iter().take(CHANNELS_NAMED).map(name).collect();
-            let more = heard.len().saturating_sub(CHANNELS_NAMED);
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-            named.join(", ") + &more
-        };
-        match &self.channel {
-            Some(Channel::All) => Ok(None),
-            Some(Channel::Named(name)) if heard.is_empty() || places.contains_key(name.as_str()) => {
-                Ok(Some(name.clone()))
-            }
-            Some(Channel::Named(name)) => Err(format!("no frame is of channel {name} ({})", list())),
-            None if heard.len() > 1 => {
-                Err(format!("the log has {} channels ({}); {CHOOSE}", heard.len(), list()))
-            }
-            None => Ok(None),
-        }
+        self.bytes(file, text.as_bytes())?.log()
     }
 }
 
-/// Channels that a message names; a recording has a handful, a damaged one may have any number.
-const CHANNELS_NAMED: usize = 8;
-/// What is said of a recording of several channels.
-const CHOOSE: &str = "choose one with `--channel NAME`, or mix them with `--channel all`";
+impl Recording {
+    /// Reads all frames.
+    ///
+    /// # Errors
+    /// If time goes back, or some lines have times and others have none.
+    pub fn log(&self) -> Result<Log, LogError> {
+        let mut frames = self.entries()?;
+        let entries = frames.by_ref().collect::<Result<Vec<Entry>, LogError>>()?;
+        Ok(Log {
+            origin: frames.origin(),
+            timed: frames.is_timed(),
+            error_frames: frames.error_frames(),
+            notes: frames.notes(),
+            entries,
+        })
+    }
+}
 
 /// Returns what a reader of the recording should know.
 fn notes(reader: &Reader, placer: &Placer) -> Vec<String> {
@@ -254,6 +211,9 @@ fn notes(reader: &Reader, placer: &Placer) -> Vec<String> {
         0 => {}
         1 => notes.push(format!("1 line is no frame: line {}", reader.first_foreign)),
         n => notes.push(format!("{n} lines are no frames, the first is line {}", reader.first_foreign)),
+    }
+    if placer.fd_frames > 0 {
+        notes.push(format!("{} frames of CAN FD are left out", placer.fd_frames));
     }
     if placer.of_others > 0 {
         notes.push(format!("{} frames of other channels are left out", placer.of_others));
@@ -265,11 +225,6 @@ fn notes(reader: &Reader, placer: &Placer) -> Vec<String> {
         notes.push(format!("the last line is cut off; {} frames before it were read", placer.frames));
     }
     notes
-}
-
-/// Returns one line of a `candump -l` log.
-pub fn candump_line(at: Nanos, interface: &str, frame: &Frame) -> String {
-    format!("({}.{:06}) {interface} {frame}", at.0 / 1_000_000_000, at.0 / 1_000 % 1_000_000)
 }
 
 #[cfg(test)]

@@ -1,12 +1,13 @@
 //! Gives each frame its time, and keeps those of the channel that is meant.
 
-use super::Times;
-use super::line::Event;
-use super::reader::Said;
+use super::line::{Event, What};
+use super::reader::{STRICT, Said};
 use super::times::Clock;
-use super::{Channel, Reading};
-use crate::can::Frame;
+use super::{Channel, Entry, Reading, Times};
 use crate::time::Nanos;
+
+/// What is said of a recording of several channels.
+pub(super) const CHOOSE: &str = "choose one with `--channel NAME`, or mix them with `--channel all`";
 
 /// Where the times of the frames come from; settled by the first event.
 #[derive(Debug)]
@@ -33,15 +34,29 @@ pub(super) struct Placer {
     pub(super) of_others: usize,
     /// Bus errors on the channel that is meant.
     pub(super) error_frames: usize,
+    /// Frames of CAN FD on the channel that is meant.
+    pub(super) fd_frames: usize,
+    /// Names of the channels, in the order in which they were first heard.
+    pub(super) channels: Vec<String>,
 }
 
 impl Placer {
     pub(super) fn new(reading: Reading, channel: Option<String>, times: Times) -> Self {
-        Self { reading, channel, times, source: None, frames: 0, of_others: 0, error_frames: 0 }
+        Self {
+            reading,
+            channel,
+            times,
+            source: None,
+            frames: 0,
+            of_others: 0,
+            error_frames: 0,
+            fd_frames: 0,
+            channels: Vec::new(),
+        }
     }
 
     /// Returns a frame of the channel that is meant, with its time since the first one.
-    pub(super) fn place(&mut self, said: Said) -> Result<Option<(Nanos, Frame)>, String> {
+    pub(super) fn place(&mut self, line: usize, said: Said) -> Result<Option<Entry>, String> {
         let event = match said {
             Said::Event(event) => event,
             Said::Time(at) => {
@@ -63,9 +78,19 @@ impl Placer {
             (_, None) => None,
         };
         let is_meant = self.channel.as_ref().is_none_or(|channel| *channel == event.channel);
-        let Some(frame) = event.frame else {
-            self.error_frames += usize::from(is_meant);
-            return Ok(None);
+        let frame = match event.what {
+            What::Frame(frame) => frame,
+            What::BusError => {
+                self.error_frames += usize::from(is_meant);
+                return Ok(None);
+            }
+            What::FdFrame if is_meant && self.reading.strict => {
+                return Err(format!("a CAN FD frame, which is not read{STRICT}"));
+            }
+            What::FdFrame => {
+                self.fd_frames += usize::from(is_meant);
+                return Ok(None);
+            }
         };
         if !is_meant {
             self.of_others += 1;
@@ -80,7 +105,16 @@ impl Placer {
             _ => Nanos::ZERO,
         };
         self.frames += 1;
-        Ok(Some((at, frame)))
+        let channel = self.number_of(&event.channel);
+        Ok(Some(Entry { at, frame, line, channel }))
+    }
+
+    /// Returns the place of a channel among those heard.
+    fn number_of(&mut self, channel: &str) -> usize {
+        self.channels.iter().position(|known| known == channel).unwrap_or_else(|| {
+            self.channels.push(channel.to_owned());
+            self.channels.len() - 1
+        })
     }
 
     fn source_for(&self, first: &Event) -> Result<Source, String> {
@@ -104,19 +138,24 @@ impl Placer {
 
     /// Keeps the first channel heard if none was chosen; another one is an error then.
     pub(super) fn keep_to_one(&mut self, event: &Event) -> Result<(), String> {
-        if self.reading.channel == Some(Channel::All) || event.frame.is_none() {
+        if self.reading.channel == Some(Channel::All) || !matches!(event.what, What::Frame(_)) {
             return Ok(());
         }
         let kept = self.channel.get_or_insert_with(|| event.channel.clone());
         if self.reading.channel.is_some() || *kept == event.channel {
             return Ok(());
         }
-        Err(format!("a frame of {} after frames of {kept}; {}", event.channel, super::CHOOSE))
+        Err(format!("a frame of {} after frames of {kept}; {}", event.channel, CHOOSE))
     }
 
     /// Time of the first frame, in nanoseconds since the recorder's epoch.
     pub(super) fn origin(&self) -> i64 {
         if let Some(Source::Recorder(clock)) = &self.source { clock.origin() } else { 0 }
+    }
+
+    /// Returns whether the channels of the recording are taken as one bus.
+    pub(super) fn keeps_all(&self) -> bool {
+        self.channel.is_none()
     }
 
     pub(super) fn is_timed(&self) -> bool {

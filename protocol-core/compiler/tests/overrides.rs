@@ -53,7 +53,9 @@ fn two_nodes_of_the_dbc_are_one_and_a_bit_rate_and_a_cycle_are_said() {
     assert_eq!(counts(line, 1, [42, 0, 0, 0, 0, 0, 0, 0], Value::BatterySoc), 420);
     let text = vehicle_compiler::compile("car", ("car.dbc", DBC), ("vehicle.toml", &toml(line)));
     let text = text.unwrap_or_else(|error| panic!("{error}"));
-    for part in ["bitrate: 500000,", "node: Node::Vcu, len: 8, cycle_ms: 200, timeout_ms: 1000,", "timeout_ms: 700,"] {
+    for part in
+        ["bitrate: 500000,", "node: Node::Vcu, len: 8, cycle_ms: 200, timeout_ms: 1000,", "timeout_ms: 700,"]
+    {
         assert!(text.contains(part), "{part}");
     }
 }
