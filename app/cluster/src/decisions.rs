@@ -13,7 +13,7 @@ const SOFTWARE: i32 = 1;
 pub(crate) fn of(
     inputs: &Inputs,
     shown: impl Fn(Value) -> Shown<i32>,
-    odometer_km8: u32,
+    odometer_km8: Option<u32>,
 ) -> [(Value, Reading); 5] {
     let gear = shown(Value::VehicleGear).value().and_then(Gear::from_number);
     let driving_gear = gear.is_some_and(Gear::drives);
@@ -25,8 +25,12 @@ pub(crate) fn of(
     [
         (Value::ClusterDriverLeft, flag(driver_left)),
         (Value::ClusterUpgradeForbidden, flag(!(standing && parked && not_ready))),
-        (Value::ClusterOdometer, Reading::Valid(i32::try_from(odometer_km8).unwrap_or(i32::MAX))),
+        (Value::ClusterOdometer, odometer_km8.map_or(Reading::Invalid, distance)),
         (Value::ClusterHardware, Reading::Valid(HARDWARE)),
         (Value::ClusterSoftware, Reading::Valid(SOFTWARE)),
     ]
+}
+
+fn distance(km8: u32) -> Reading {
+    Reading::Valid(i32::try_from(km8).unwrap_or(i32::MAX))
 }

@@ -313,6 +313,11 @@ impl Faults {
     }
 
     /// Returns what went wrong since power-on.
+    pub(crate) fn history_mut(&mut self) -> &mut History {
+        &mut self.history
+    }
+
+    /// Returns what went wrong.
     pub(crate) fn history(&self) -> &History {
         &self.history
     }

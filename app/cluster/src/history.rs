@@ -221,6 +221,14 @@ impl History {
         let _ = self.entries.push_back(entry);
     }
 
+    /// Takes an entry of an earlier run, if there is room and it has none yet.
+    pub(crate) fn remember(&mut self, entry: Entry) {
+        if self.find(entry.source, entry.code).is_none() {
+            // What does not fit is what came first.
+            let _ = self.entries.push_back(entry);
+        }
+    }
+
     /// Notes how bad a fault has become that is still there; returns whether it has an entry.
     pub(crate) fn worsened(&mut self, source: Source, code: Option<u16>, severity: Severity) -> bool {
         let entry = self.find_mut(source, code);

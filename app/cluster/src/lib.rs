@@ -6,7 +6,7 @@
 //! The door is [`Instrument`]. Where a rule lives: `sources` (what puts a line on the screen), `telltales`, `chime`
 //! (sounds), `driver::inputs` (own wires), `texts` (all words), each a table; `monitors` (timing), each a small machine;
 //! `instrument` (which vehicle this is, when it may send), `own` (what the instrument says of itself); `navigator` (which
-//! page, what turns it); `decisions` (what is said to the vehicle).
+//! page, what turns it); `decisions` (what is said to the vehicle); `kept` (what outlives power-off).
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -19,6 +19,7 @@ mod facts;
 mod faults;
 pub mod history;
 pub mod instrument;
+pub mod kept;
 mod monitors;
 mod navigator;
 pub mod own;
@@ -37,6 +38,7 @@ pub use driver::inputs;
 pub use driver::inputs::{Button, Buttons, Contacts, Controller, Inputs, Key};
 pub use history::{Entry, Source};
 pub use instrument::{Access, Instrument};
+pub use kept::{Memory, Part};
 pub use monitors::Options;
 pub use reception::{Counters, MAX_MESSAGES, Received};
 pub use telltales::{Place, Telltale, TelltaleColour, Telltales};

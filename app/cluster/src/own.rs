@@ -14,6 +14,9 @@ use protocol_core::model::Severity::{self, Warn};
 const CONTROLLER_MS: u64 = 100;
 /// How long after start a fault of the previous run is shown, in milliseconds.
 const RESTARTED_MS: u64 = 10_000;
+/// How long after start a damaged memory is said, in milliseconds: long enough to be read behind the name of the
+/// vehicle, once.
+const DAMAGED_MS: u64 = 10_000;
 /// Time after start from which the screen says that the cluster listens, in milliseconds.
 const PATIENCE_MS: u64 = 1_000;
 /// Time for which the name of a vehicle is shown after its recognition, in milliseconds.
@@ -53,6 +56,8 @@ pub(crate) struct Conditions {
     pub(crate) restart: Option<Restart>,
     /// The search for the vehicle; `None` = there is none, the image is for one vehicle.
     pub(crate) search: Option<Search>,
+    /// What was kept cannot be read or written.
+    pub(crate) is_memory_damaged: bool,
 }
 
 /// A line of the instrument.
@@ -74,6 +79,10 @@ impl Own {
 }
 
 impl Conditions {
+    /// Nothing is known yet.
+    pub(crate) const NONE: Self =
+        Self { controller_missing: false, restart: None, search: None, is_memory_damaged: false };
+
     fn own(&self, now: Millis) -> Option<Own> {
         if self.controller_missing && now.0 >= CONTROLLER_MS {
             return Some(Own::cause(texts::NO_CONTROLLER, None));
@@ -83,6 +92,7 @@ impl Conditions {
                 Some(Own::cause(texts::RESTARTED, line))
             }
             (Some(Restart::Watchdog), _) if now.0 < RESTARTED_MS => Some(Own::cause(texts::RESTARTED, None)),
+            _ if self.is_memory_damaged && now.0 < DAMAGED_MS => Some(Own::cause(texts::MEMORY, None)),
             (_, Some(Search::Contradicted)) => Some(Own::cause(texts::DOUBT, None)),
             (_, Some(Search::Found { name, at })) if now.since(at) < NAME_MS => Some(Own::fact(name)),
             (_, Some(Search::Listening)) if now.0 >= PATIENCE_MS => Some(Own::fact(texts::LISTENING)),
@@ -114,15 +124,14 @@ mod tests {
         conditions.beside(None, false, Millis(now)).map(|line| (line.text.en, line.code))
     }
 
-    const NO_CONTROLLER: Conditions = Conditions { controller_missing: true, restart: None, search: None };
-    const CONTRADICTED: Conditions =
-        Conditions { controller_missing: false, restart: None, search: Some(Search::Contradicted) };
-    const RESTARTED: Conditions =
-        Conditions { controller_missing: false, restart: Some(Restart::Watchdog), search: None };
+    const NO_CONTROLLER: Conditions = Conditions { controller_missing: true, ..Conditions::NONE };
+    const CONTRADICTED: Conditions = Conditions { search: Some(Search::Contradicted), ..Conditions::NONE };
+    const RESTARTED: Conditions = Conditions { restart: Some(Restart::Watchdog), ..Conditions::NONE };
+    const DAMAGED: Conditions = Conditions { is_memory_damaged: true, ..Conditions::NONE };
 
     #[test]
     fn a_cause_goes_before_the_silence_that_it_brings_and_never_before_what_the_vehicle_reports() {
-        for conditions in [NO_CONTROLLER, CONTRADICTED, RESTARTED] {
+        for conditions in [NO_CONTROLLER, CONTRADICTED, RESTARTED, DAMAGED] {
             let own = conditions.beside(None, false, Millis(200));
             assert!(own.is_some(), "{conditions:?}");
             for severity in [Severity::None, Warn, Derate, Stop] {
@@ -151,6 +160,7 @@ mod tests {
     fn each_line_has_its_time() {
         assert_eq!([99, 100].map(|now| said(NO_CONTROLLER, now).is_some()), [false, true]);
         assert_eq!([0, 9_999, 10_000].map(|now| said(RESTARTED, now).is_some()), [true, true, false]);
+        assert_eq!([0, 9_999, 10_000].map(|now| said(DAMAGED, now).is_some()), [true, true, false]);
         let listening = Conditions { search: Some(Search::Listening), ..Conditions::default() };
         assert_eq!([999, 1_000].map(|now| said(listening, now).is_some()), [false, true]);
         let found = Search::Found { name: texts::SYSTEM, at: Millis(700) };

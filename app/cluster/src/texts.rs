@@ -116,6 +116,8 @@ texts! {
     NO_CONTROLLER "CAN 控制器通信中断" "No CAN controller: check wiring";
     /// The cluster has been reset by a fault of its own; the code is the source line.
     RESTARTED "仪表故障后重启" "Cluster restarted after a fault";
+    /// What was kept over power-off cannot be read or written.
+    MEMORY "仪表存储故障" "Stored data lost: odometer unknown";
     /// No vehicle has been recognised yet.
     LISTENING "总线监测中" "Listening for a vehicle";
     /// As much speaks for another vehicle as for the one recognised.

@@ -6,6 +6,7 @@
 //! waited for, so the figure never runs backwards.
 //! Source: BUS-97 (0.125 km per bit in Meter2), BUS-118 (1/256 km/h per bit in VCU1).
 
+use crate::kept::Distance;
 use protocol_core::Millis;
 
 /// Speed counts (1/256 km/h) times milliseconds in one kilometre.
@@ -19,11 +20,13 @@ pub(crate) const LONGEST_STEP_MS: u64 = 1_000;
 pub(crate) struct Odometer {
     sum: u64,
     last: Option<Millis>,
+    /// The sum is the whole distance, not only what was driven since a kept one was lost.
+    is_known: bool,
 }
 
 impl Odometer {
     pub(crate) const fn new() -> Self {
-        Self { sum: 0, last: None }
+        Self { sum: 0, last: None, is_known: true }
     }
 
     /// Starts from a distance that was kept, in 1/8 km; never takes distance away.
@@ -34,6 +37,28 @@ impl Odometer {
     /// Follows the distance that the vehicle sends, in 1/8 km.
     pub(crate) fn follow(&mut self, km8: i32) {
         self.restore(u32::try_from(km8).unwrap_or(0));
+        self.is_known = true;
+    }
+
+    /// Takes note that what was kept is lost: what is counted from now on is not the whole distance.
+    pub(crate) fn forget(&mut self) {
+        self.is_known = false;
+    }
+
+    /// Starts from what was kept, to the last count; never takes distance away.
+    pub(crate) fn resume(&mut self, kept: Distance) {
+        self.sum = self.sum.max(kept.counts);
+        self.is_known = kept.is_known;
+    }
+
+    /// Returns what is to be kept.
+    pub(crate) fn kept(&self) -> Distance {
+        Distance { counts: self.sum, is_known: self.is_known }
+    }
+
+    /// Returns the distance in 1/8 km, rounded down; `None` = it is not known.
+    pub(crate) fn known_km8(&self) -> Option<u32> {
+        self.is_known.then(|| self.km8())
     }
 
     /// Adds the way since the last call at `speed_kmh256`; `None` = not known.
