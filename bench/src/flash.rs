@@ -251,7 +251,10 @@ impl ReadNorFlash for Region {
 
     fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Self::Error> {
         let at = self.at(offset, bytes.len(), 1)?;
-        bytes.iter_mut().enumerate().for_each(|(i, byte)| *byte = self.cells.read(at + i));
+        let end = at + bytes.len();
+        bytes.copy_from_slice(&self.cells.bytes[at..end]);
+        let weak: Vec<usize> = self.cells.weak.range(at..end).map(|(byte, _)| *byte).collect();
+        weak.into_iter().for_each(|byte| bytes[byte - at] = self.cells.read(byte));
         Ok(())
     }
 

@@ -36,7 +36,7 @@ const LAYERS: &[Layer] = &[
     Layer { name: "ui", may_use: &["cluster", "protocol-core"], never: HARDWARE },
     Layer { name: "mcp2515-can", may_use: &[], never: &["rp2040-hal", "rtic", "cortex-m"] },
     Layer { name: "tft", may_use: &[], never: &["rp2040-hal", "rtic", "cortex-m"] },
-    Layer { name: "pico", may_use: &["mcp2515-can", "store", "tft", "protocol-core"], never: &["rtic"] },
+    Layer { name: "pico", may_use: &["mcp2515-can", "tft", "protocol-core"], never: &["rtic"] },
     Layer {
         name: "firmware",
         may_use: &["cluster", "mcp2515-can", "pico", "protocol-core", "store", "tft", "ui"],

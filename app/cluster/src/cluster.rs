@@ -128,6 +128,11 @@ impl Cluster {
         }
     }
 
+    /// Takes note that the instrument is new: what it has counted is the whole distance.
+    pub(crate) fn start_distance(&mut self) {
+        self.odometer.begin();
+    }
+
     /// Takes note that the kept distance is lost.
     pub(crate) fn forget_distance(&mut self) {
         self.odometer.forget();

@@ -221,10 +221,13 @@ impl History {
         let _ = self.entries.push_back(entry);
     }
 
-    /// Takes an entry of an earlier run, if there is room and it has none yet.
+    /// Takes an entry of an earlier run: an entry of its own, or on top of the same fault's count.
     pub(crate) fn remember(&mut self, entry: Entry) {
-        if self.find(entry.source, entry.code).is_none() {
-            // What does not fit is what came first.
+        if let Some(known) = self.find_mut(entry.source, entry.code) {
+            known.count = known.count.saturating_add(entry.count);
+            known.severity = known.severity.max(entry.severity);
+        } else {
+            // Without room it is lost: those of this run are worth more.
             let _ = self.entries.push_back(entry);
         }
     }

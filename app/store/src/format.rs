@@ -75,7 +75,7 @@ impl Head {
 
     /// Returns the slots that the record takes.
     pub(crate) const fn slots(&self) -> usize {
-        (HEADER + self.len).div_ceil(SLOT_BYTES)
+        slots_of(self.len)
     }
 
     /// Returns whether `record`, from its first byte on, is whole.
@@ -85,6 +85,11 @@ impl Head {
         };
         checksum(head, payload) == self.crc
     }
+}
+
+/// Returns the slots of a record with so many bytes of payload.
+pub(crate) const fn slots_of(len: usize) -> usize {
+    (HEADER + len).div_ceil(SLOT_BYTES)
 }
 
 fn checksum(head: &[u8], payload: &[u8]) -> u32 {

@@ -27,6 +27,8 @@ pub(crate) struct Place {
     pub(crate) sector: u8,
     /// Page and slot within the sector, counted in slots.
     pub(crate) slot: u8,
+    /// Slots that the record takes.
+    pub(crate) slots: u8,
     pub(crate) generation: u32,
 }
 
@@ -120,7 +122,8 @@ impl Found {
             };
             let (sector_number, slot_number) = (sector as u8, (page * SLOTS + slot) as u8);
             let Head { key, generation, .. } = head;
-            let place = Place { key, sector: sector_number, slot: slot_number, generation };
+            let slots = head.slots() as u8;
+            let place = Place { key, sector: sector_number, slot: slot_number, slots, generation };
             if self.index.get(key).is_none_or(|old| old.generation <= generation) {
                 self.index.set(place);
             }

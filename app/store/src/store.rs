@@ -20,6 +20,8 @@ pub const MAX_KEYS: usize = 48;
 const LEAST_SECTORS: usize = 3;
 /// Pages in a row that do not hold what was programmed, after which the flash counts as worn out.
 const MOST_BAD: u8 = 20;
+/// Slots of all records that count, together: two thirds of a sector, so a sector has room for more than the copies.
+const MOST_SLOTS: usize = 150;
 /// The page behind that of the sector's head.
 const FIRST_PAGE: usize = 1;
 
@@ -65,8 +67,8 @@ pub struct Store<F> {
     next: usize,
     /// Place in the index of the next key to copy; `None` = all are copied.
     copying: Option<usize>,
-    /// Page of the active sector from which on the copies lie.
-    copied_from: usize,
+    /// A record has found room behind the copies of the active sector.
+    has_room: bool,
     /// Which sector is known to be erased to the end.
     ready: Option<usize>,
     bad: u8,
@@ -98,7 +100,7 @@ impl<F: NorFlash> Store<F> {
             generation,
             next: page * SLOTS,
             copying: Some(0),
-            copied_from: page,
+            has_room: true,
             ready: None,
             bad: 0,
         })
@@ -195,6 +197,11 @@ impl<F: NorFlash> Store<F> {
     /// # Errors
     /// As [`Error`] says; what was kept before stays kept.
     pub fn put(&mut self, key: u8, payload: &[u8]) -> Result<Next, Error<F::Error>> {
+        let others = self.index.iter().filter(|place| place.key != key);
+        let slots = others.map(|place| usize::from(place.slots)).sum::<usize>() + format::slots_of(payload.len());
+        if slots > MOST_SLOTS {
+            return Err(Error::TooLong);
+        }
         match self.settle()? {
             Next::Done => self.append(key, payload),
             next => Ok(next),
@@ -313,12 +320,19 @@ impl<F: NorFlash> Store<F> {
         if !self.holds(offset, record)? {
             return self.skip_page();
         }
-        let (sector, slot) = (self.active as u8, self.next as u8);
-        let place = Place { key, sector, slot, generation: self.generation };
+        let slots = len / SLOT_BYTES;
+        let place = Place {
+            key,
+            sector: self.active as u8,
+            slot: self.next as u8,
+            slots: slots as u8,
+            generation: self.generation,
+        };
         if !self.index.set(place) {
             return Err(Error::TooLong);
         }
-        self.next += len / SLOT_BYTES;
+        self.next += slots;
+        self.has_room |= self.copying.is_none();
         self.bad = 0;
         Ok(Next::Done)
     }
@@ -345,8 +359,8 @@ impl<F: NorFlash> Store<F> {
         if self.generation == MAX_GENERATION {
             return Err(Error::WornOut);
         }
-        if self.copying.is_some() && self.copied_from == FIRST_PAGE {
-            // All records together do not fit into one sector.
+        if !self.has_room {
+            // The copies fill a whole sector.
             return Err(Error::TooLong);
         }
         match self.ready_next()? {
@@ -356,7 +370,7 @@ impl<F: NorFlash> Store<F> {
         self.active = self.next_sector();
         self.generation += 1;
         self.next = FIRST_PAGE * SLOTS;
-        (self.copying, self.copied_from) = (Some(0), FIRST_PAGE);
+        (self.copying, self.has_room) = (Some(0), false);
         self.ready = None;
         Ok(Next::Again)
     }

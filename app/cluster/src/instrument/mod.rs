@@ -134,6 +134,16 @@ impl Instrument {
     pub fn resume(&mut self, memory: Memory) {
         self.memory = memory;
         self.keeper.begin(&mut self.cluster, memory, self.restart);
+        if let Some(Identification { detector, scan, heard: false }) = &mut self.identification
+            && detector.found().is_none()
+        {
+            self.access.bitrate = scan.expect(self.keeper.vehicle());
+        }
+    }
+
+    /// Takes note that something is kept that has not been read yet: until [`Self::resume`] the distance is not known.
+    pub fn await_memory(&mut self) {
+        self.cluster.forget_distance();
     }
 
     /// Takes note that nothing can be kept any more: it is said at the next start, if that can be read then.

@@ -8,11 +8,13 @@
 //! | 16 to 19 | start in which it came first, counted over all starts            |
 //! | 20 to 23 | start in which it came last                                      |
 //! | 24 to 27 | odometer when it came last, in 0.1 km                            |
+//! | 28 to 31 | [`tag`] of the vehicle                                           |
 //!
 //! An entry is due at once when it is new or has become worse; that it has come once more, at most every 10 s.
 
 use super::{Bytes, Part};
 use crate::history::{ENTRY_BYTES, Entry, HISTORY, History};
+use heapless::Vec;
 use protocol_core::Millis;
 use protocol_core::model::Severity;
 
@@ -28,6 +30,12 @@ const FIRST: core::ops::Range<usize> = 6..11;
 pub(crate) struct Stamp {
     pub(crate) start: u32,
     pub(crate) hectometres: u32,
+    pub(crate) vehicle: u32,
+}
+
+/// Returns what tells the entries of one vehicle from those of another: FNV-1a of its name.
+pub(crate) fn tag(name: &str) -> u32 {
+    name.bytes().fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
 /// A kept entry.
@@ -41,11 +49,13 @@ pub struct KeptFault {
     pub last_start: u32,
     /// Odometer when it came last, in 0.1 km.
     pub hectometres: u32,
+    /// [`tag`] of the vehicle.
+    vehicle: u32,
 }
 
 impl KeptFault {
     fn to_bytes(self) -> Bytes {
-        let numbers = [self.first_start, self.last_start, self.hectometres];
+        let numbers = [self.first_start, self.last_start, self.hectometres, self.vehicle];
         self.entry.to_bytes().into_iter().chain(numbers.into_iter().flat_map(u32::to_le_bytes)).collect()
     }
 
@@ -54,11 +64,17 @@ impl KeptFault {
         let entry = Entry::from_bytes(bytes.first_chunk()?)?;
         let number =
             |at| bytes.get(at..).and_then(<[u8]>::first_chunk).map_or(0, |word| u32::from_le_bytes(*word));
-        Some(Self { entry, first_start: number(16), last_start: number(20), hectometres: number(24) })
+        Some(Self {
+            entry,
+            first_start: number(16),
+            last_start: number(20),
+            hectometres: number(24),
+            vehicle: number(28),
+        })
     }
 
-    fn is_of(&self, entry: &Entry) -> bool {
-        (self.entry.source, self.entry.code) == (entry.source, entry.code)
+    fn is_of(&self, vehicle: u32, entry: &Entry) -> bool {
+        (self.vehicle, self.entry.source, self.entry.code) == (vehicle, entry.source, entry.code)
     }
 
     fn weight(entry: &Entry) -> (Severity, u16) {
@@ -85,18 +101,13 @@ impl Ledger {
         }
     }
 
-    /// Tells every kept entry, the one that came last at the end; none of them has come in this run.
-    pub(crate) fn recall(&self, mut remember: impl FnMut(Entry)) {
-        let order = |kept: &KeptFault| (kept.last_start, kept.entry.last);
-        let mut before = None;
-        for _ in 0..PLACES {
-            let rest =
-                self.places.iter().flatten().filter(|kept| before.is_none_or(|before| order(kept) > before));
-            let Some(next) = rest.min_by_key(|kept| order(kept)) else { return };
-            before = Some(order(next));
-            for kept in self.places.iter().flatten().filter(|kept| order(kept) == order(next)) {
-                remember(Entry { first: Millis(0), last: Millis(0), ..kept.entry });
-            }
+    /// Tells every kept entry of a vehicle, the one that came last at the end; none of them has come in this run.
+    pub(crate) fn recall(&self, vehicle: u32, mut remember: impl FnMut(Entry)) {
+        let mut kept: Vec<&KeptFault, PLACES> =
+            self.places.iter().flatten().filter(|kept| kept.vehicle == vehicle).collect();
+        kept.sort_unstable_by_key(|kept| (kept.last_start, kept.entry.last));
+        for kept in kept {
+            remember(Entry { first: Millis(0), last: Millis(0), ..kept.entry });
         }
     }
 
@@ -104,7 +115,8 @@ impl Ledger {
     pub(crate) fn due(&self, history: &History, stamp: Stamp, now: Millis) -> Option<(Part, Bytes)> {
         let may_count = now.since(self.saved_at) >= COUNT_EVERY_MS;
         for entry in history.iter() {
-            let kept = self.places.iter().position(|kept| kept.is_some_and(|kept| kept.is_of(entry)));
+            let kept =
+                self.places.iter().position(|kept| kept.is_some_and(|kept| kept.is_of(stamp.vehicle, entry)));
             let old = kept.and_then(|place| self.places.get(place).copied().flatten());
             let is_due = old.is_none_or(|old| {
                 old.entry.severity < entry.severity
@@ -113,12 +125,13 @@ impl Ledger {
             if !is_due {
                 continue;
             }
-            let place = kept.or_else(|| self.free(history))?;
+            let place = kept.or_else(|| self.free(history, stamp.vehicle))?;
             let fault = KeptFault {
                 entry: *entry,
                 first_start: old.map_or(stamp.start, |old| old.first_start),
                 last_start: stamp.start,
                 hectometres: stamp.hectometres,
+                vehicle: stamp.vehicle,
             };
             let mut bytes = fault.to_bytes();
             if let Some(old) = old.map(|old| old.entry.to_bytes())
@@ -132,8 +145,8 @@ impl Ledger {
     }
 
     /// Returns a place that is free, or that of the oldest entry that the history has let go.
-    fn free(&self, history: &History) -> Option<usize> {
-        let is_gone = |kept: &KeptFault| !history.iter().any(|entry| kept.is_of(entry));
+    fn free(&self, history: &History, vehicle: u32) -> Option<usize> {
+        let is_gone = |kept: &KeptFault| !history.iter().any(|entry| kept.is_of(vehicle, entry));
         let gone = |(place, kept): (usize, &Option<KeptFault>)| match kept {
             None => Some((None, place)),
             Some(kept) => is_gone(kept).then_some((Some((kept.last_start, kept.entry.last)), place)),

@@ -17,11 +17,12 @@
 //! Numbers of more than a byte have their low byte first. Nothing is due before [`Keeper::begin`]: what was kept is
 //! never overwritten by an instrument that has not been told of it.
 
-pub(crate) mod faults;
+mod faults;
 
 use crate::cluster::Cluster;
 use crate::own::Restart;
 use crate::trips::odometer::PER_KM;
+pub use faults::KeptFault;
 use faults::Ledger;
 use heapless::Vec;
 use protocol_core::Millis;
@@ -228,20 +229,20 @@ impl Keeper {
     /// Takes note that everything that was kept has been restored: from now on parts are due.
     pub(crate) fn begin(&mut self, cluster: &mut Cluster, memory: Memory, restart: Option<Restart>) {
         let has_distance = self.saved(Part::Distance).is_some_and(|saved| !saved.is_empty());
-        if memory != Memory::New && !has_distance {
-            cluster.forget_distance();
+        match memory {
+            Memory::New => cluster.start_distance(),
+            Memory::Kept | Memory::Damaged if !has_distance => cluster.forget_distance(),
+            Memory::Kept | Memory::Damaged => {}
         }
         self.starts.count(restart);
         self.recall(cluster);
         self.may_save = true;
     }
 
-    /// Gives the cluster the faults that it remembers of its vehicle.
+    /// Gives the cluster the faults that are kept of its vehicle.
     pub(crate) fn recall(&self, cluster: &mut Cluster) {
-        let name = cluster.vehicle().name.as_bytes();
-        if self.saved(Part::Vehicle).is_some_and(|kept| kept.as_slice() == name) {
-            self.ledger.recall(|entry| cluster.remember(entry));
-        }
+        let vehicle = faults::tag(cluster.vehicle().name);
+        self.ledger.recall(vehicle, |entry| cluster.remember(entry));
     }
 
     fn saved(&self, part: Part) -> Option<&Bytes> {
@@ -277,7 +278,11 @@ impl Keeper {
                 return Some((part, bytes));
             }
         }
-        let stamp = faults::Stamp { start: self.starts.all(), hectometres: cluster.hectometres() };
+        let stamp = faults::Stamp {
+            start: self.starts.all(),
+            hectometres: cluster.hectometres(),
+            vehicle: faults::tag(cluster.vehicle().name),
+        };
         self.ledger.due(cluster.remembered_faults(), stamp, now)
     }
 

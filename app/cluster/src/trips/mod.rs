@@ -100,12 +100,12 @@ impl Trips {
             .collect()
     }
 
-    /// Goes on from what was kept; missing numbers are zero.
+    /// Goes on from what was kept, with what was driven since the start on top; missing numbers are zero.
     pub(crate) fn resume(&mut self, bytes: &[u8]) {
         let mut numbers = kept::numbers(bytes);
         for meter in [&mut self.a, &mut self.b] {
             for number in [&mut meter.way, &mut meter.metered, &mut meter.used, &mut meter.regained] {
-                *number = numbers.next().unwrap_or(0);
+                *number = number.saturating_add(numbers.next().unwrap_or(0));
             }
         }
     }

@@ -45,10 +45,17 @@ impl Odometer {
         self.is_known = false;
     }
 
-    /// Starts from what was kept, to the last count; never takes distance away.
+    /// Takes note that nothing was counted before.
+    pub(crate) fn begin(&mut self) {
+        self.is_known = true;
+    }
+
+    /// Goes on from what was kept, to the last count: what was driven since the start comes on top, unless the vehicle
+    /// has sent its distance meanwhile. Never takes distance away.
     pub(crate) fn resume(&mut self, kept: Distance) {
-        self.sum = self.sum.max(kept.counts);
-        self.is_known = kept.is_known;
+        self.sum =
+            if self.is_known { self.sum.max(kept.counts) } else { self.sum.saturating_add(kept.counts) };
+        self.is_known |= kept.is_known;
     }
 
     /// Returns what is to be kept.
