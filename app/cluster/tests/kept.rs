@@ -90,7 +90,10 @@ fn an_hour_is_kept_to_the_last_hundred_metres_and_to_the_metre_once_it_stands() 
     let mut again = Run::start(run.shelf.clone(), Memory::Kept);
     again.drive(0, 200);
     assert_eq!(again.shelf[&1], run.shelf[&1], "to the last count");
-    assert_eq!(again.instrument.view(Millis(again.now)).journeys, run.instrument.view(Millis(run.now)).journeys);
+    assert_eq!(
+        again.instrument.view(Millis(again.now)).journeys,
+        run.instrument.view(Millis(run.now)).journeys
+    );
 }
 
 #[test]
@@ -153,7 +156,11 @@ fn a_lost_distance_stays_unknown_and_is_said_once() {
     assert_eq!(run.instrument.cluster().known_odometer_km8(), None);
     let mut again = Run::start(run.shelf, Memory::Kept);
     again.drive(60, 1_000);
-    assert_eq!(again.instrument.cluster().known_odometer_km8(), None, "what was counted since is not the distance");
+    assert_eq!(
+        again.instrument.cluster().known_odometer_km8(),
+        None,
+        "what was counted since is not the distance"
+    );
     let line = |run: &Run| run.instrument.view(Millis(run.now)).line.map(|line| line.text);
     assert_ne!(line(&again), Some(cluster::texts::MEMORY));
     let mut damaged = Run::start(again.shelf, Memory::Damaged);
@@ -166,7 +173,8 @@ fn a_lost_distance_stays_unknown_and_is_said_once() {
 #[test]
 fn starts_are_counted_by_their_cause() {
     let mut shelf = Shelf::new();
-    let causes = [None, Some(Restart::Watchdog), Some(Restart::Panic(Some(7))), None, Some(Restart::Watchdog)];
+    let causes =
+        [None, Some(Restart::Watchdog), Some(Restart::Panic(Some(7))), None, Some(Restart::Watchdog)];
     for restart in causes {
         let mut run = Run::restart(shelf, Memory::Kept, restart);
         run.drive(0, 200);
@@ -189,14 +197,17 @@ fn faults_outlive_power_off_with_their_counts_and_their_odometer() {
     assert!(kept.len() >= 3, "{kept:?}");
     assert!(kept.iter().all(|fault| fault.first_start == 1 && fault.last_start == 1));
     let mut again = Run::start(run.shelf, Memory::Kept);
-    let count = |run: &Run| run.instrument.cluster().history().map(|entry| u32::from(entry.count)).sum::<u32>();
+    let count =
+        |run: &Run| run.instrument.cluster().history().map(|entry| u32::from(entry.count)).sum::<u32>();
     assert_eq!(again.instrument.cluster().history().count(), kept.len(), "they are there before any comes");
     let before = count(&again);
     again.drive(60, 60_000);
     assert_eq!(count(&again), 2 * before, "each has come once more");
     let later = faults_of(&again);
     assert_eq!(later.len(), kept.len());
-    assert!(later.iter().all(|fault| fault.first_start == 1 && fault.last_start == 2 && fault.hectometres >= 10));
+    assert!(
+        later.iter().all(|fault| fault.first_start == 1 && fault.last_start == 2 && fault.hectometres >= 10)
+    );
 }
 
 #[test]

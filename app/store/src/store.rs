@@ -198,7 +198,8 @@ impl<F: NorFlash> Store<F> {
     /// As [`Error`] says; what was kept before stays kept.
     pub fn put(&mut self, key: u8, payload: &[u8]) -> Result<Next, Error<F::Error>> {
         let others = self.index.iter().filter(|place| place.key != key);
-        let slots = others.map(|place| usize::from(place.slots)).sum::<usize>() + format::slots_of(payload.len());
+        let slots =
+            others.map(|place| usize::from(place.slots)).sum::<usize>() + format::slots_of(payload.len());
         if slots > MOST_SLOTS {
             return Err(Error::TooLong);
         }

@@ -156,7 +156,10 @@ fn what_does_not_fit_is_refused_and_what_was_kept_stays() {
     assert_eq!(refused, Some(Error::TooLong));
     store.save(1, b"two").unwrap();
     let mut store = settled(store.free());
-    assert_eq!((read(&mut store, 1), read(&mut store, 10)), (Some(b"two".to_vec()), Some(vec![10; MAX_PAYLOAD])));
+    assert_eq!(
+        (read(&mut store, 1), read(&mut store, 10)),
+        (Some(b"two".to_vec()), Some(vec![10; MAX_PAYLOAD]))
+    );
 }
 
 #[test]

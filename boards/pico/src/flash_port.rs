@@ -105,23 +105,30 @@ impl FlashPort {
         };
         let port = Self { calls };
         // Ignored by a flash that has nothing suspended.
-        port.command(false, &[instruction::RESUME], PATIENCE_US);
+        port.command(instruction::RESUME, None, &[], PATIENCE_US);
         port
     }
 
     /// Goes on with the erase of the sector at `offset`, or begins it; returns whether it has come to its end.
     pub fn erase_slice(&mut self, offset: u32, begins: bool) -> bool {
         if begins {
-            let [_, a, b, c] = (base() + offset).to_be_bytes();
-            return self.command(true, &[instruction::SECTOR_ERASE, a, b, c], SLICE_US);
+            self.command(instruction::SECTOR_ERASE, Some(base() + offset), &[], SLICE_US)
+        } else {
+            self.command(instruction::RESUME, None, &[], SLICE_US)
         }
-        self.command(false, &[instruction::RESUME], SLICE_US)
     }
 
-    /// Runs a command from RAM; returns whether the flash was ready again within `us`.
-    fn command(&self, enables: bool, bytes: &[u8], us: u32) -> bool {
-        // SAFETY: `bytes` and `calls` are in RAM, as everything that runs meanwhile.
-        unsafe { run(&self.calls, enables, bytes.as_ptr(), bytes.len(), us) }
+    /// Runs a command from RAM, with an address and data if it has any; returns whether the flash was ready again within
+    /// `us`.
+    fn command(&self, instruction: u8, address: Option<u32>, data: &[u8], us: u32) -> bool {
+        // On the stack: what the caller names may lie in flash.
+        let mut bytes = [0; 4 + PAGE_BYTES];
+        let [_, a, b, c] = address.unwrap_or(0).to_be_bytes();
+        bytes[..4].copy_from_slice(&[instruction, a, b, c]);
+        bytes[4..4 + data.len()].copy_from_slice(data);
+        let len = if address.is_some() { 4 + data.len() } else { 1 };
+        // SAFETY: the bytes and `calls` are in RAM, as is everything that runs meanwhile.
+        unsafe { run(&self.calls, address.is_some(), bytes.as_ptr(), len, us) }
     }
 }
 
@@ -159,7 +166,7 @@ unsafe fn ask(instruction: u8) -> u8 {
     }
 }
 
-/// Sends a command, waits until the flash is ready, and maps it again. An erase that is not ready after `us` is
+/// Sends a command, with write enable before it if it `enables`, waits until the flash is ready, and maps it again. An erase that is not ready after `us` is
 /// suspended; returns whether it was not.
 ///
 /// # Safety
@@ -259,11 +266,7 @@ impl NorFlash for FlashPort {
         if offset as usize + data.len() > bytes() || at as usize % PAGE_BYTES + data.len() > PAGE_BYTES {
             return Err(NorFlashErrorKind::OutOfBounds);
         }
-        let [_, a, b, c] = at.to_be_bytes();
-        let mut command = [0; 4 + PAGE_BYTES];
-        command[..4].copy_from_slice(&[instruction::PAGE_PROGRAM, a, b, c]);
-        command[4..4 + data.len()].copy_from_slice(data);
-        if self.command(true, &command[..4 + data.len()], PATIENCE_US) {
+        if self.command(instruction::PAGE_PROGRAM, Some(at), data, PATIENCE_US) {
             Ok(())
         } else {
             Err(NorFlashErrorKind::Other)
