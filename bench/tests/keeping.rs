@@ -89,6 +89,8 @@ fn no_frame_is_lost_at_full_load_while_the_flash_is_erased_and_programmed() {
 fn after_every_cut_the_odometer_is_where_it_was() {
     let cuts: u64 = std::env::var("CUTS").ok().and_then(|cuts| cuts.parse().ok()).unwrap_or(24);
     let mut rig = rig();
+    // The slowest flash is hit most often.
+    rig.set_flash_times(FlashTimes::WORST);
     rig.replay(&city(), true);
     run(&mut rig, Nanos::from_secs(30));
     let (mut least, mut random, mut weak, mut writing) = (shown(&rig), 0x1234_5678_u64, 0, 0);

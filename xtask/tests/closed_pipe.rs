@@ -35,6 +35,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("ci", "the steps of `test` and of all others"),
     ("codecs", "builds programs for the chip"),
     ("coverage", "builds the tests anew"),
+    ("cuts", "takes a minute"),
     ("figures", "builds the firmware and drives it for minutes"),
     ("flash", "prints by the board: tools_flash.rs"),
     ("fonts", "needs the system's fonts; what it prints is of another program"),
@@ -43,6 +44,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("run", "needs the firmware"),
     ("screens", "what it prints is of `cargo test`"),
     ("size", "builds the firmware"),
+    ("store", "needs the image of a flash: tools_store.rs"),
     ("tasks", "builds the firmware and drives it for a minute"),
 ];
 

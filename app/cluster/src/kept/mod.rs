@@ -189,6 +189,41 @@ impl Starts {
     }
 }
 
+/// That a workshop has set the odometer, and what it was before: the record of a deliberate act.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Workshop {
+    /// How often it was set, over the life of the instrument.
+    pub times: u32,
+    /// What it was before the last time; `None` = nothing was kept.
+    pub before: Option<Distance>,
+    /// What it was set to.
+    pub after: Distance,
+    /// Who did it, or on what order, as far as there is room.
+    pub by: Vec<u8, 40>,
+}
+
+impl Workshop {
+    /// Returns the bytes that are kept: times, before (all ones = nothing), after, who.
+    pub fn to_bytes(&self) -> Bytes {
+        let before = self.before.map_or([0xFF; 7], Distance::to_bytes);
+        let numbers = self.times.to_le_bytes().into_iter().chain(before).chain(self.after.to_bytes());
+        numbers.chain(self.by.iter().copied()).collect()
+    }
+
+    /// Returns the record of bytes that were kept; `None` = they are none.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let (times, rest) = bytes.split_first_chunk()?;
+        let (before, rest) = rest.split_first_chunk::<7>()?;
+        let (after, by) = rest.split_first_chunk::<7>()?;
+        Some(Self {
+            times: u32::from_le_bytes(*times),
+            before: Distance::from_bytes(before).filter(|_| *before != [0xFF; 7]),
+            after: Distance::from_bytes(after)?,
+            by: by.iter().copied().take(40).collect(),
+        })
+    }
+}
+
 /// What was saved last, and so what is due.
 #[derive(Clone)]
 pub(crate) struct Keeper {
