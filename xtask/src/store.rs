@@ -106,7 +106,7 @@ fn print(kept: &mut Store<Region>) -> Result<()> {
 }
 
 /// Prints one part.
-fn line(number: u8, bytes: &[u8]) -> Result<()> {
+fn line(number: u8, bytes: &[u8]) -> std::io::Result<()> {
     let word = |at: usize, words: [&'static str; 2]| {
         bytes.get(at).and_then(|place| words.get(usize::from(*place))).copied().unwrap_or("?")
     };

@@ -183,7 +183,6 @@ fn starts_are_counted_by_their_cause() {
     assert_eq!(Starts::from_bytes(&shelf[&5]), Starts { power_ons: 2, watchdogs: 2, panics: 1, last: 1 });
 }
 
-/// VCU2-like fault code of the battery: BMS1 with a level and a code is what the rules use; any fault will do.
 fn faults_of(run: &Run) -> Vec<KeptFault> {
     (32..64).filter_map(|number| KeptFault::from_bytes(run.shelf.get(&number)?)).collect()
 }

@@ -13,10 +13,14 @@ use store::{Condition, Error, MAX_PAYLOAD, Next, Store};
 
 use embedded_storage::nor_flash::NorFlashErrorKind;
 
+/// When the region is looked at, in milliseconds since start: the panel has been woken by then.
+const LOOK_MS: u64 = 20;
 /// Programs in one tick until everything is restored: the picture waits for it.
 const AT_START: u32 = 3;
 
 enum State {
+    /// Nothing has been looked at yet.
+    Waiting(FlashPort),
     /// What counts is copied to where no cut can have hit it.
     Settling,
     Running,
@@ -33,20 +37,28 @@ pub struct Keeping {
 }
 
 impl Keeping {
-    /// Looks at what is kept; writes nothing yet.
-    pub fn new(flash: FlashPort) -> Self {
-        Self { store: Store::mount(flash).ok(), state: State::Settling, pending: None, erasing: None }
+    /// Takes the region; nothing is read yet.
+    pub const fn new(flash: FlashPort) -> Self {
+        Self { store: None, state: State::Waiting(flash), pending: None, erasing: None }
     }
 
     /// Does what takes one program or one slice of an erase; for every tick.
     pub fn tick(&mut self, instrument: &mut impl Mutex<T = Instrument>, now: Millis) {
+        if let State::Waiting(_) = self.state {
+            if now.0 < LOOK_MS {
+                return;
+            }
+            if let State::Waiting(flash) = core::mem::replace(&mut self.state, State::Settling) {
+                self.store = Store::mount(flash).ok();
+            }
+        }
         let steps = if matches!(self.state, State::Settling) { AT_START } else { 1 };
         for _ in 0..steps {
             if self.erase() {
                 return;
             }
             let next = match self.state {
-                State::Settling => self.settle(instrument),
+                State::Waiting(_) | State::Settling => self.settle(instrument),
                 State::Running => self.keep(instrument, now),
             };
             match next {
@@ -80,19 +92,18 @@ impl Keeping {
             instrument.lock(|instrument| instrument.resume(Memory::Damaged));
             return Ok(Next::Done);
         };
-        match store.settle()? {
-            Next::Done => {}
-            next => return Ok(next),
-        }
-        let memory = match store.condition() {
-            Condition::New => Memory::New,
-            Condition::Kept => Memory::Kept,
-            Condition::Damaged | Condition::Newer(_) => Memory::Damaged,
+        let settled = store.settle();
+        let memory = match (settled, store.condition()) {
+            (Ok(Next::Again | Next::Erase(_)), _) => return settled,
+            (Ok(Next::Done), Condition::New) => Memory::New,
+            (Ok(Next::Done), Condition::Kept) => Memory::Kept,
+            // What can be read is restored all the same.
+            (Ok(Next::Done), Condition::Damaged | Condition::Newer(_)) | (Err(_), _) => Memory::Damaged,
         };
         for number in 1..=u8::MAX {
             let Some(part) = Part::from_number(number) else { continue };
             let mut bytes = [0; MAX_PAYLOAD];
-            if let Some(len) = store.get(number, &mut bytes)?
+            if let Ok(Some(len)) = store.get(number, &mut bytes)
                 && let Some(bytes) = bytes.get(..len)
             {
                 instrument.lock(|instrument| instrument.restore(part, bytes));
@@ -100,7 +111,7 @@ impl Keeping {
         }
         self.state = State::Running;
         instrument.lock(|instrument| instrument.resume(memory));
-        Ok(Next::Done)
+        settled
     }
 
     fn keep(

@@ -23,7 +23,7 @@
 //! The head is programmed when an erase has come to its end, and is overwritten with zeros before the next one begins:
 //! a sector with a head was erased to the end.
 
-use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
+use crc::{CRC_32_ISO_HDLC, Crc};
 
 /// Version of the format.
 pub const FORMAT: u16 = 1;
@@ -45,7 +45,8 @@ pub(crate) const HEADER: usize = 9;
 pub(crate) const MAX_GENERATION: u32 = 0x00FF_FFFF;
 
 const MAGIC: [u8; 4] = *b"KEPT";
-const CRC: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
+// A table of 1 KiB: a start looks at every record of the region.
+static CRC: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 
 /// The key of a slot that was never programmed, and that of a claim.
 const BLANK: u8 = 0xFF;

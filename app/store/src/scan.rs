@@ -74,14 +74,17 @@ pub(crate) struct Found {
     pub(crate) active: Option<(usize, u32)>,
     /// First page of that sector behind everything that was ever programmed; [`PAGES`] = none.
     pub(crate) page: usize,
+    /// The last record of that sector: nothing proves that it was programmed to the end.
+    pub(crate) last: Option<Place>,
 }
 
 /// Looks at a region of `sectors` sectors.
 pub(crate) fn scan<F: ReadNorFlash>(flash: &mut F, sectors: usize) -> Result<Found, F::Error> {
-    let mut found = Found { condition: Condition::New, index: Index::new(), active: None, page: 1 };
+    let mut found =
+        Found { condition: Condition::New, index: Index::new(), active: None, page: 1, last: None };
     let mut newer = None;
     for sector in 0..sectors {
-        let mut used = 1;
+        let (mut used, mut last) = (1, None);
         for page in 0..PAGES {
             let mut bytes = [0; PAGE_BYTES];
             flash.read((sector * SECTOR_BYTES + page * PAGE_BYTES) as u32, &mut bytes)?;
@@ -95,10 +98,10 @@ pub(crate) fn scan<F: ReadNorFlash>(flash: &mut F, sectors: usize) -> Result<Fou
             if head.is_none() && found.condition == Condition::New {
                 found.condition = Condition::Damaged;
             }
-            found.take_page(sector, page, &bytes);
+            last = found.take_page(sector, page, &bytes).or(last);
         }
         if found.active.is_some_and(|(active, _)| active == sector) {
-            found.page = used;
+            (found.page, found.last) = (used, last);
         }
     }
     if found.active.is_some() {
@@ -106,14 +109,15 @@ pub(crate) fn scan<F: ReadNorFlash>(flash: &mut F, sectors: usize) -> Result<Fou
     }
     if let Some(version) = newer {
         let condition = Condition::Newer(version);
-        return Ok(Found { condition, index: Index::new(), active: None, page: 1 });
+        return Ok(Found { condition, index: Index::new(), active: None, page: 1, last: None });
     }
     Ok(found)
 }
 
 impl Found {
-    fn take_page(&mut self, sector: usize, page: usize, bytes: &[u8; PAGE_BYTES]) {
-        let mut slot = 0;
+    /// Takes the records of a page and returns the last of them.
+    fn take_page(&mut self, sector: usize, page: usize, bytes: &[u8; PAGE_BYTES]) -> Option<Place> {
+        let (mut slot, mut last) = (0, None);
         while let Some(rest) = bytes.get(slot * SLOT_BYTES..).filter(|_| slot < SLOTS) {
             let head = rest.first_chunk().and_then(Head::read).filter(|head| head.is_whole(rest));
             let Some(head) = head else {
@@ -131,6 +135,8 @@ impl Found {
                 self.active = Some((sector, generation));
             }
             slot += head.slots();
+            last = Some(place);
         }
+        last
     }
 }

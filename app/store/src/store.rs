@@ -6,12 +6,14 @@
 //!
 //! What a cut leaves can read either way, or as if nothing had been programmed. Hence a page is claimed by zeros before
 //! its first record: a claim that was cut off is programmed once more with the same zeros, and a page that carries a
-//! claim is never used again after a start.
+//! claim is never used again after a start. What lies behind the last record of a page that was in use is overwritten
+//! with zeros at the next start: it cannot become a record later.
 
 use crate::format::{
     self, Head, MAX_GENERATION, MAX_PAYLOAD, PAGE_BYTES, PAGES, SECTOR_BYTES, SLOT_BYTES, SLOTS,
 };
 use crate::scan::{self, Condition, Index, Place};
+use core::ops::Range;
 use embedded_storage::nor_flash::NorFlash;
 
 /// Keys that a store can hold.
@@ -20,6 +22,8 @@ pub const MAX_KEYS: usize = 48;
 const LEAST_SECTORS: usize = 3;
 /// Pages in a row that do not hold what was programmed, after which the flash counts as worn out.
 const MOST_BAD: u8 = 20;
+/// Looks at a region of which the last record reads either way, before it counts as worn out.
+const MOST_LOOKS: usize = 100;
 /// Slots of all records that count, together: two thirds of a sector, so a sector has room for more than the copies.
 const MOST_SLOTS: usize = 150;
 /// The page behind that of the sector's head.
@@ -55,6 +59,14 @@ impl<E> From<E> for Error<E> {
     }
 }
 
+/// A record in RAM.
+#[derive(Clone, Copy)]
+struct Last {
+    key: u8,
+    payload: [u8; MAX_PAYLOAD],
+    len: usize,
+}
+
 /// Records in a region of flash; `F` is that region alone, from offset 0 on.
 pub struct Store<F> {
     flash: F,
@@ -65,12 +77,18 @@ pub struct Store<F> {
     generation: u32,
     /// Where the next record goes, in slots of the active sector; a multiple of [`SLOTS`] = a page not claimed yet.
     next: usize,
+    /// Slots of the active sector in which the trace of a cut may lie; they are overwritten first.
+    trace: Range<usize>,
+    /// The last record as it was read at start: it is copied first, and never read again.
+    last: Option<Last>,
     /// Place in the index of the next key to copy; `None` = all are copied.
     copying: Option<usize>,
     /// A record has found room behind the copies of the active sector.
     has_room: bool,
     /// Which sector is known to be erased to the end.
     ready: Option<usize>,
+    /// Sectors behind the active one that do not stay erased.
+    skipped: usize,
     bad: u8,
 }
 
@@ -79,7 +97,7 @@ impl<F: NorFlash> Store<F> {
     ///
     /// # Errors
     /// [`Error::TooLong`] if the region is no whole number of sectors or has fewer than three; [`Error::Flash`].
-    pub fn mount(mut flash: F) -> Result<Self, Error<F::Error>> {
+    pub fn mount(flash: F) -> Result<Self, Error<F::Error>> {
         let sectors = flash.capacity() / SECTOR_BYTES;
         if !(LEAST_SECTORS..=256).contains(&sectors)
             || F::ERASE_SIZE != SECTOR_BYTES
@@ -87,23 +105,59 @@ impl<F: NorFlash> Store<F> {
         {
             return Err(Error::TooLong);
         }
-        let found = scan::scan(&mut flash, sectors)?;
-        // Without a record, the first sector to be entered is number 0.
-        let (active, generation) = found.active.unwrap_or((sectors - 1, 0));
-        let page = if found.active.is_some() { found.page } else { PAGES };
-        Ok(Self {
+        let mut store = Self {
             flash,
             sectors,
-            condition: found.condition,
-            index: found.index,
-            active,
-            generation,
-            next: page * SLOTS,
-            copying: Some(0),
+            condition: Condition::New,
+            index: Index::new(),
+            active: 0,
+            generation: 0,
+            next: 0,
+            trace: 0..0,
+            last: None,
+            copying: None,
             has_room: true,
             ready: None,
+            skipped: 0,
             bad: 0,
-        })
+        };
+        store.look()?;
+        Ok(store)
+    }
+
+    /// Looks at the region until two looks in a row agree on the last record: if a cut has hit it, it reads as a record
+    /// only now and then.
+    fn look(&mut self) -> Result<(), Error<F::Error>> {
+        for _ in 0..MOST_LOOKS {
+            if self.look_once()? {
+                return Ok(());
+            }
+        }
+        Err(Error::WornOut)
+    }
+
+    fn look_once(&mut self) -> Result<bool, Error<F::Error>> {
+        let found = scan::scan(&mut self.flash, self.sectors)?;
+        // Without a record, the first sector to be entered is number 0.
+        (self.active, self.generation) = found.active.unwrap_or((self.sectors - 1, 0));
+        let page = if found.active.is_some() { found.page } else { PAGES };
+        self.next = page * SLOTS;
+        let end = |last: Place| usize::from(last.slot) + usize::from(last.slots);
+        self.trace = found.last.map_or(self.next, end)..self.next;
+        (self.condition, self.index) = (found.condition, found.index);
+        (self.copying, self.has_room, self.ready) = (Some(0), true, None);
+        self.last = None;
+        let Some(last) = found.last else { return Ok(true) };
+        let mut page = [0; PAGE_BYTES];
+        let Some(len) = self.read_record(last, &mut page)? else { return Ok(false) };
+        if self.index.get(last.key) == Some(last) {
+            let mut payload = [0; MAX_PAYLOAD];
+            if let Some(kept) = page.get(format::HEADER..format::HEADER + MAX_PAYLOAD) {
+                payload.copy_from_slice(kept);
+            }
+            self.last = Some(Last { key: last.key, payload, len });
+        }
+        Ok(true)
     }
 
     /// Returns what was found at start.
@@ -143,7 +197,7 @@ impl<F: NorFlash> Store<F> {
     pub fn get(&mut self, key: u8, payload: &mut [u8]) -> Result<Option<usize>, Error<F::Error>> {
         let Some(place) = self.index.get(key) else { return Ok(None) };
         let mut page = [0; PAGE_BYTES];
-        let len = self.read_record(place, &mut page)?;
+        let Some(len) = self.read_record(place, &mut page)? else { return Ok(None) };
         let room = payload.len().min(len);
         if let (Some(to), Some(from)) =
             (payload.get_mut(..room), page.get(format::HEADER..format::HEADER + room))
@@ -153,13 +207,19 @@ impl<F: NorFlash> Store<F> {
         Ok(Some(len))
     }
 
-    /// Reads the slots of a record to the start of `page`; returns the length of its payload.
-    fn read_record(&mut self, place: Place, page: &mut [u8; PAGE_BYTES]) -> Result<usize, Error<F::Error>> {
+    /// Reads the slots of a record to the start of `page`; returns the length of its payload, `None` = it reads otherwise
+    /// than when the region was looked at: a cut has left cells in it that read either way.
+    fn read_record(
+        &mut self,
+        place: Place,
+        page: &mut [u8; PAGE_BYTES],
+    ) -> Result<Option<usize>, Error<F::Error>> {
         let room = PAGE_BYTES - usize::from(place.slot) % SLOTS * SLOT_BYTES;
         if let Some(page) = page.get_mut(..room) {
             self.flash.read(place.offset() as u32, page)?;
         }
-        Ok(page.first_chunk().and_then(Head::read).map_or(0, |head| head.len.min(MAX_PAYLOAD)))
+        let head = page.first_chunk().and_then(Head::read);
+        Ok(head.filter(|head| head.key == place.key && head.is_whole(page)).map(|head| head.len))
     }
 
     /// Brings the store to where nothing that counts can be hit by what a cut has left; to be called until
@@ -171,13 +231,35 @@ impl<F: NorFlash> Store<F> {
         if let Condition::Newer(_) = self.condition {
             return Err(Error::Newer);
         }
+        if !self.trace.is_empty() {
+            // What did not read as a record now could read as one at the next start.
+            let slot = self.trace.start;
+            let end = (slot / SLOTS + 1) * SLOTS;
+            let zeros = [0; PAGE_BYTES];
+            let offset = (self.active * SECTOR_BYTES + slot * SLOT_BYTES) as u32;
+            self.flash.write(offset, zeros.get(..(end - slot) * SLOT_BYTES).unwrap_or(&zeros))?;
+            self.trace.start = end;
+            return Ok(Next::Again);
+        }
+        if let Some(Last { key, payload, len }) = self.last {
+            let next = self.append(key, payload.get(..len).unwrap_or_default())?;
+            if next == Next::Done {
+                self.last = None;
+                return Ok(Next::Again);
+            }
+            return Ok(next);
+        }
         let Some(at) = self.copying else { return Ok(Next::Done) };
         let Some(place) = self.index.iter().nth(at) else {
             self.copying = None;
             return Ok(Next::Done);
         };
         let mut page = [0; PAGE_BYTES];
-        let len = self.read_record(place, &mut page)?;
+        let Some(len) = self.read_record(place, &mut page)? else {
+            // It has become unreadable since the start.
+            self.copying = Some(at + 1);
+            return Ok(Next::Again);
+        };
         let mut payload = [0; MAX_PAYLOAD];
         if let Some(kept) = page.get(format::HEADER..format::HEADER + MAX_PAYLOAD) {
             payload.copy_from_slice(kept);
@@ -229,6 +311,9 @@ impl<F: NorFlash> Store<F> {
         let head = format::sector_head(self.count_of(sector)?);
         self.flash.write(offset, &head)?;
         self.ready = None;
+        if !self.is_ready(sector)? {
+            self.skipped += 1;
+        }
         Ok(())
     }
 
@@ -259,7 +344,7 @@ impl<F: NorFlash> Store<F> {
     }
 
     const fn next_sector(&self) -> usize {
-        (self.active + 1) % self.sectors
+        (self.active + 1 + self.skipped) % self.sectors
     }
 
     /// Returns whether a sector was erased to the end and nothing was programmed to it since.
@@ -285,8 +370,10 @@ impl<F: NorFlash> Store<F> {
         if self.is_ready(sector)? {
             return Ok(Next::Done);
         }
-        if self.index.iter().any(|place| usize::from(place.sector) == sector) {
-            // Only if every sector was filled by starts that were cut off before all was copied.
+        if self.index.iter().any(|place| usize::from(place.sector) == sector)
+            || self.skipped + 1 >= self.sectors
+        {
+            // Only if no sector stays erased, or every sector was filled by starts that were cut off before all was copied.
             return Err(Error::WornOut);
         }
         let offset = (sector * SECTOR_BYTES) as u32;
@@ -372,7 +459,7 @@ impl<F: NorFlash> Store<F> {
         self.generation += 1;
         self.next = FIRST_PAGE * SLOTS;
         (self.copying, self.has_room) = (Some(0), false);
-        self.ready = None;
+        (self.ready, self.skipped) = (None, 0);
         Ok(Next::Again)
     }
 }

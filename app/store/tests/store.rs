@@ -1,6 +1,7 @@
 //! The store over cells that can be cut off at any byte.
 
 use bench::flash::{Cells, Region, SECTOR_BYTES};
+use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashErrorKind, ReadNorFlash};
 use store::{Condition, Error, MAX_PAYLOAD, Next, Store};
 
 const SECTORS: usize = 4;
@@ -173,6 +174,56 @@ fn a_start_after_another_without_a_save_wears_a_page_and_no_more() {
         region = store.free();
     }
     assert!(region.cells.erases().iter().all(|erases| *erases <= 200_u32.div_ceil(15).div_ceil(4) + 1));
+}
+
+/// A flash of which a sector no longer takes ones: an erase leaves zeros in it.
+struct Dying {
+    region: Region,
+    sector: u32,
+}
+
+impl ErrorType for Dying {
+    type Error = NorFlashErrorKind;
+}
+
+impl ReadNorFlash for Dying {
+    const READ_SIZE: usize = 1;
+
+    fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), NorFlashErrorKind> {
+        self.region.read(offset, bytes)
+    }
+
+    fn capacity(&self) -> usize {
+        self.region.capacity()
+    }
+}
+
+impl NorFlash for Dying {
+    const WRITE_SIZE: usize = 1;
+    const ERASE_SIZE: usize = SECTOR_BYTES;
+
+    fn erase(&mut self, from: u32, to: u32) -> Result<(), NorFlashErrorKind> {
+        self.region.erase(from, to)?;
+        if from == self.sector * SECTOR_BYTES as u32 {
+            self.region.write(from + 3_000, &[0xEF])?;
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), NorFlashErrorKind> {
+        self.region.write(offset, bytes)
+    }
+}
+
+#[test]
+fn a_sector_that_does_not_stay_erased_is_passed_over() {
+    let mut store = Store::mount(Dying { region: blank(), sector: 2 }).unwrap();
+    for value in 0..3_000_u32 {
+        store.save(1, &value.to_le_bytes()).unwrap();
+    }
+    let mut payload = [0; 4];
+    assert_eq!(store.get(1, &mut payload), Ok(Some(4)));
+    assert_eq!(u32::from_le_bytes(payload), 2_999);
 }
 
 /// What is kept at one moment of a scripted life, and what was just being put.
