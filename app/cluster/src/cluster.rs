@@ -13,7 +13,7 @@ use crate::driver::settings::Settings;
 use crate::facts::Facts;
 use crate::faults::Faults;
 use crate::history::{Entry, History};
-use crate::kept::{Bytes, Distance, Part};
+use crate::kept::parts::{Bytes, Distance, Part};
 use crate::monitors::limp;
 use crate::monitors::reverse::Reverse;
 use crate::monitors::{Options, Timers};

@@ -21,5 +21,5 @@ mod scan;
 mod store;
 
 pub use format::{FORMAT, MAX_PAYLOAD, PAGE_BYTES, SECTOR_BYTES, SLOT_BYTES};
-pub use scan::Condition;
-pub use store::{Error, MAX_KEYS, Next, Store};
+pub use scan::{Condition, MAX_KEYS};
+pub use store::{Error, Next, Store};

@@ -4,8 +4,10 @@
 //! a record is passed over.
 
 use crate::format::{self, FORMAT, Head, PAGE_BYTES, PAGES, SECTOR_BYTES, SLOT_BYTES, SLOTS};
-use crate::store::MAX_KEYS;
 use embedded_storage::nor_flash::ReadNorFlash;
+
+/// Keys that a store can hold.
+pub const MAX_KEYS: usize = 48;
 
 /// What was found at start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -16,8 +16,6 @@ use crate::scan::{self, Condition, Index, Place};
 use core::ops::Range;
 use embedded_storage::nor_flash::NorFlash;
 
-/// Keys that a store can hold.
-pub const MAX_KEYS: usize = 48;
 /// Sectors that a region must have: one in use, one erased, one that still holds what the one in use replaces.
 const LEAST_SECTORS: usize = 3;
 /// Pages in a row that do not hold what was programmed, after which the flash counts as worn out.

@@ -12,14 +12,14 @@
 //!
 //! An entry is due at once when it is new or has become worse; that it has come once more, at most every 10 s.
 
-use super::{Bytes, Part};
+use super::parts::{Bytes, FAULTS, Part};
 use crate::history::{ENTRY_BYTES, Entry, HISTORY, History};
 use heapless::Vec;
 use protocol_core::Millis;
 use protocol_core::model::Severity;
 
 /// Places for entries.
-pub(crate) const PLACES: usize = HISTORY;
+const PLACES: usize = FAULTS;
 /// Time between two saves of entries that have only come once more, in milliseconds.
 const COUNT_EVERY_MS: u64 = 10_000;
 /// Where the time of the first coming stands in an entry.
@@ -162,3 +162,4 @@ impl Ledger {
 }
 
 const _: () = assert!(ENTRY_BYTES == 16, "a kept fault begins with its entry");
+const _: () = assert!(PLACES == HISTORY, "each entry has a place");

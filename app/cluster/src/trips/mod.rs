@@ -9,7 +9,7 @@
 pub(crate) mod charge;
 pub(crate) mod odometer;
 
-use crate::kept::{self, Bytes};
+use crate::kept::parts::{self, Bytes};
 use crate::view::page::Trip;
 use crate::view::{Charging, Journey, Plug, Range};
 use odometer::{LONGEST_STEP_MS, PER_KM};
@@ -102,7 +102,7 @@ impl Trips {
 
     /// Goes on from what was kept, with what was driven since the start on top; missing numbers are zero.
     pub(crate) fn resume(&mut self, bytes: &[u8]) {
-        let mut numbers = kept::numbers(bytes);
+        let mut numbers = parts::numbers(bytes);
         for meter in [&mut self.a, &mut self.b] {
             for number in [&mut meter.way, &mut meter.metered, &mut meter.used, &mut meter.regained] {
                 *number = number.saturating_add(numbers.next().unwrap_or(0));

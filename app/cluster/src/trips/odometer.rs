@@ -6,11 +6,10 @@
 //! waited for, so the figure never runs backwards.
 //! Source: BUS-97 (0.125 km per bit in Meter2), BUS-118 (1/256 km/h per bit in VCU1).
 
-use crate::kept::Distance;
-use protocol_core::Millis;
+pub(crate) use crate::kept::parts::PER_KM;
 
-/// Speed counts (1/256 km/h) times milliseconds in one kilometre.
-pub(crate) const PER_KM: u64 = 256 * 3_600_000;
+use crate::kept::parts::Distance;
+use protocol_core::Millis;
 
 /// A step longer than this was a stall; the speed after it says nothing about the time within.
 pub(crate) const LONGEST_STEP_MS: u64 = 1_000;
