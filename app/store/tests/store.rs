@@ -267,7 +267,7 @@ fn after_a_cut_each_key_has_its_last_value_or_the_one_that_was_being_kept() {
             // The recovery is cut off too, then left alone.
             left.supply = Some((seed as usize * 13) % 120);
             let mut second = mounted(left);
-            while !matches!(second.settle(), Ok(Next::Done) | Err(_)) {}
+            while matches!(second.settle(), Ok(Next::Again)) {}
             let mut left = second.free();
             left.supply = None;
             let mut store = settled(left);
