@@ -99,7 +99,7 @@ impl<F: NorFlash> Store<F> {
         let sectors = flash.capacity() / SECTOR_BYTES;
         if !(LEAST_SECTORS..=256).contains(&sectors)
             || F::ERASE_SIZE != SECTOR_BYTES
-            || SLOT_BYTES % F::WRITE_SIZE != 0
+            || !SLOT_BYTES.is_multiple_of(F::WRITE_SIZE)
         {
             return Err(Error::TooLong);
         }
