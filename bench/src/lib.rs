@@ -8,6 +8,7 @@
 
 pub mod can;
 pub mod chips;
+pub mod flash;
 pub mod join;
 pub mod latency;
 pub mod log;

@@ -51,6 +51,9 @@ pub trait Board {
     /// PWM output on `pin` changed to `frequency_hz` with `duty` of 65536 high (0 = constantly low).
     fn pwm(&mut self, now: Nanos, pin: u8, frequency_hz: u32, duty: u32);
 
+    /// The supply of the chip fails (`false`) or comes back: what on the board hangs on the same supply forgets.
+    fn power(&mut self, _now: Nanos, _on: bool, _inputs: &mut InputPins) {}
+
     /// The next instant at which the board changes by itself, if any.
     fn next_event(&self) -> Option<Nanos>;
 

@@ -6,10 +6,11 @@
 use crate::can::{Event, EventKind, Frame, Id, LoadGenerator, NodeId, NodeMode, Participant, Tag};
 use crate::chips::bench_board::{BenchBoard, CanWiring, PanelWiring, Wiring};
 use crate::chips::{mcp2515, panel};
+use crate::flash::Cells;
 use crate::join::{self, Members};
 use crate::log::Log;
 use crate::recent::Recent;
-use crate::rp2040::{Rp2040, Stop, Watched, image};
+use crate::rp2040::{FlashTimes, Rp2040, Stop, Watched, image};
 use crate::switches::SWITCHES;
 use crate::time::Nanos;
 use anyhow::Result;
@@ -47,6 +48,9 @@ impl Default for RigOptions {
         Self { panel: PanelKind::default(), crystal_hz: 8_000_000, bitrate: 250_000 }
     }
 }
+
+/// Where in the flash the firmware keeps what outlives power-off.
+pub const STORE: std::ops::Range<usize> = 0x1F_8000..0x20_0000;
 
 /// Time between the end of a recording and its next start, when it is played in a loop.
 const LOOP_PAUSE: Nanos = Nanos::from_millis(20);
@@ -377,6 +381,45 @@ impl Rig {
         } else {
             bus.mend(cluster, now);
         }
+    }
+
+    /// The cluster's supply is cut, or comes back: the same image starts with what its flash holds. What it last told is
+    /// forgotten.
+    pub fn cut_power(&mut self, cut: bool) {
+        if cut {
+            self.read_link();
+            self.chip.power_off();
+            (self.decoder, self.screen) = (Decoder::new(), None);
+            self.values = [Sample::Never; Value::COUNT];
+            self.health = Health::default();
+        } else {
+            self.chip.power_on();
+        }
+    }
+
+    /// Puts what was kept in another run into the flash; `flash` is a whole one. Before anything has run.
+    pub fn keep(&mut self, flash: &[u8]) {
+        let mut bytes = self.chip.flash().to_vec();
+        if let Some(kept) = flash.get(STORE) {
+            bytes[STORE].copy_from_slice(kept);
+        }
+        self.chip.set_cells(Cells::new(bytes));
+    }
+
+    /// What a programmer would read out of the flash now.
+    pub fn flash(&self) -> Vec<u8> {
+        self.chip.cells().clone().read_out()
+    }
+
+    /// The flash chip takes so long for its writes from now on.
+    pub fn set_flash_times(&mut self, times: FlashTimes) {
+        self.chip.set_flash_times(times);
+    }
+
+    /// Gives the cells of the flash that a cut has left weak another noise.
+    pub fn seed_flash(&mut self, seed: u64) {
+        let cells = self.chip.cells().clone().seeded(seed);
+        self.chip.set_cells(cells);
     }
 
     /// Frames of the PC link that did not decode.

@@ -2,7 +2,8 @@
 
 mod soc_support;
 
-use bench::rp2040::{Rp2040, Stop};
+use bench::flash::{Cells, Work};
+use bench::rp2040::{FlashTimes, Rp2040, Stop};
 use bench::time::Nanos;
 use soc_support::*;
 
@@ -185,10 +186,75 @@ fn the_world_goes_on_during_an_erase() {
 fn a_power_cut_in_the_middle_of_an_erase_leaves_neither_old_nor_new() {
     let mut machine = machine_with(&run_from_ram(&erase_sector()), 0x12);
     run(&mut machine, Nanos::from_millis(40));
-    let (flash, _) = machine.power_cut();
-    let sector = &flash[SECTOR as usize..SECTOR as usize + 4096];
+    let (mut cells, _) = machine.power_cut();
+    assert!(cells.weak_bits() > 0);
+    let (flash, again) = (cells.read_out(), cells.read_out());
+    let sector = SECTOR as usize..SECTOR as usize + 4096;
+    assert_ne!(flash[sector.clone()], again[sector.clone()], "half erased cells read differently each time");
+    let sector = &flash[sector];
     assert!(sector.iter().any(|byte| *byte != 0x12) && sector.iter().any(|byte| *byte != 0xff));
     assert_eq!(flash[SECTOR as usize + 4096], 0x77);
+    assert_eq!(cells.erases()[(SECTOR / 4096) as usize], 1, "wear counts");
+}
+
+#[test]
+fn an_erase_takes_as_long_as_the_slowest_chip_if_that_is_soldered_on() {
+    let mut machine = machine_with(&run_from_ram(&erase_sector()), 0x12);
+    machine.set_flash_times(FlashTimes::WORST);
+    run(&mut machine, Nanos::from_millis(390));
+    assert!(machine.is_writing_flash() && !machine.core().unwrap().is_sleeping(), "still erasing");
+    run(&mut machine, Nanos::from_millis(30));
+    assert!(!machine.is_writing_flash() && machine.core().unwrap().is_sleeping());
+}
+
+#[test]
+fn a_chip_that_is_switched_off_and_on_has_its_flash_and_nothing_else() {
+    let mut machine = machine_with(&run_from_ram(&erase_sector()), 0x12);
+    run(&mut machine, Nanos::from_millis(40));
+    poke(&mut machine, RAM + 0x3000, 0x1234_5678);
+    machine.power_off();
+    let off_at = machine.now();
+    run(&mut machine, Nanos::from_millis(100));
+    assert!(machine.now() >= off_at + Nanos::from_millis(100), "time goes on without it");
+    assert!(machine.cells().weak_bits() > 0, "the erase has not gone on");
+    machine.power_on();
+    assert_ne!(peek(&mut machine, RAM + 0x3000), 0x1234_5678);
+    run(&mut machine, Nanos::from_millis(100));
+    assert!(machine.core().unwrap().is_sleeping(), "the same image has run again");
+    assert!(machine.flash()[SECTOR as usize..][..4096].iter().all(|byte| *byte == 0xff));
+    assert_eq!((machine.cells().weak_bits(), machine.stats().resets.len()), (0, 2));
+}
+
+#[test]
+fn the_flash_of_one_machine_goes_on_in_the_next() {
+    let mut cells = Cells::new(vec![0xff; bench::rp2040::xip::FLASH_BYTES]);
+    let code = image(&run_from_ram(&erase_sector()));
+    cells.finish(&Work::Program { offset: 0, data: code });
+    let mut machine = Rp2040::with_cells(cells, Recorder::default());
+    run(&mut machine, Nanos::from_millis(100));
+    assert_eq!(machine.power_cut().0.erases()[(SECTOR / 4096) as usize], 1);
+}
+
+#[test]
+fn an_erase_by_command_takes_its_time_and_can_be_suspended() {
+    let mut machine = awake_chip();
+    flash_command(&mut machine, &[0xff; 4]);
+    flash_command(&mut machine, &[0x06]);
+    flash_command(&mut machine, &[0x20, 0x10, 0, 0]);
+    assert_eq!(flash_command(&mut machine, &[0x05, 0])[1] & 1, 1, "busy");
+    run(&mut machine, Nanos::from_millis(20));
+    flash_command(&mut machine, &[0x75]);
+    run(&mut machine, Nanos::from_micros(20));
+    assert_eq!(flash_command(&mut machine, &[0x05, 0])[1] & 1, 0, "suspended: may be read");
+    assert_eq!(flash_command(&mut machine, &[0x35, 0])[1] & 0x80, 0x80);
+    run(&mut machine, Nanos::from_millis(100));
+    assert!(machine.is_writing_flash(), "it waits");
+    flash_command(&mut machine, &[0x7a]);
+    run(&mut machine, Nanos::from_millis(20));
+    assert_eq!(flash_command(&mut machine, &[0x05, 0])[1] & 1, 1, "20 ms of 45 are done, and 20 more");
+    run(&mut machine, Nanos::from_millis(10));
+    assert_eq!(flash_command(&mut machine, &[0x05, 0])[1] & 1, 0);
+    assert_eq!(machine.cells().erases()[0x100], 1);
 }
 
 #[test]
@@ -294,7 +360,8 @@ fn a_power_cut_in_the_middle_of_a_program_leaves_whole_pages_and_one_torn_one() 
     let started = machine.run_while(deadline, |machine| !machine.is_writing_flash()).unwrap();
     assert!(started);
     run(&mut machine, Nanos::from_micros(3_400));
-    let (flash, _) = machine.power_cut();
+    let (mut cells, _) = machine.power_cut();
+    let flash = cells.read_out();
     let pages: Vec<u32> = flash[SECTOR as usize..SECTOR as usize + 4096]
         .chunks(256)
         .map(|page| page.iter().map(|byte| byte.count_ones()).sum())

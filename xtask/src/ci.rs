@@ -3,7 +3,7 @@
 use crate::out::say;
 use crate::steps::{Outcome, Steps};
 use crate::{
-    codecs, codegen, coverage, dbc, figures, firmware, flash, layers, reference, rules, run, scenario,
+    codecs, codegen, coverage, cuts, dbc, figures, firmware, flash, layers, reference, rules, run, scenario,
     screens, tasks, test, toolchain, workspace,
 };
 use anyhow::{Context, Result, bail};
@@ -38,6 +38,7 @@ pub fn run() -> Result<()> {
     steps.run("screens", || screens::run(&screens::Options::default()))?;
     steps
         .run("scenarios on the host and on the firmware", || scenario::run(&scenario::Options::default()))?;
+    steps.run("power cut at every byte", || cuts::run(&cuts::Options::default()))?;
     steps.run("size", || firmware::size(&firmware::Options::default()))?;
     steps.run("table of the firmware's tasks", || tasks::run(&tasks::Options { check: true }))?;
     steps.run("run --headless", || run::headless_for_ci(&crate::output_folder()?.join("drive.png")))?;

@@ -16,6 +16,7 @@ mod codegen;
 mod convert;
 mod corpus;
 mod coverage;
+mod cuts;
 mod dbc;
 mod decode;
 mod doctor;
@@ -39,6 +40,7 @@ mod run;
 mod scenario;
 mod screens;
 mod steps;
+mod store;
 mod tasks;
 mod test;
 mod tokens;
@@ -113,6 +115,10 @@ enum Command {
     Tasks(tasks::Options),
     /// Measures the firmware on the bench and prints the figures that the README quotes.
     Figures(figures::Options),
+    /// Cuts the power at every byte of a life of the store, and again in every recovery, and compares what is kept.
+    Cuts(cuts::Options),
+    /// Prints what a cluster keeps over power-off, out of an image of its flash; a workshop sets the odometer here.
+    Store(store::Options),
     /// Shows what this machine has, what is missing and what to type.
     Doctor,
     /// Runs everything that CI runs.
@@ -170,6 +176,8 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Layers => layers::run(),
         Command::Tasks(options) => tasks::run(&options),
         Command::Figures(options) => figures::run(&options),
+        Command::Cuts(options) => cuts::run(&options),
+        Command::Store(options) => store::run(&options),
         Command::Doctor => doctor::run(),
         Command::Ci => ci::run(),
     }

@@ -67,6 +67,9 @@ pub struct Options {
     /// Writes the panel's last picture to this PNG file.
     #[arg(long, requires = "headless")]
     screenshot: Option<PathBuf>,
+    /// Starts with what is kept in this image of the flash, if it is there, and writes it back at the end.
+    #[arg(long, value_name = "FILE", requires = "headless")]
+    flash: Option<PathBuf>,
     /// Lets `--record` and `--screenshot` replace files that are already there.
     #[arg(long)]
     overwrite: bool,
@@ -150,6 +153,13 @@ pub fn run(options: &Options) -> Result<()> {
         return server.wait();
     }
     let mut rig = make(kind)?;
+    if let Some(path) = options.flash.as_ref().filter(|path| path.exists()) {
+        let kept = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+        if kept.len() < bench::rig::STORE.end {
+            bail!("{} is no image of a whole flash of {} bytes", path.display(), bench::rig::STORE.end);
+        }
+        rig.keep(&kept);
+    }
     let driven = drive(&mut rig, options, recorded.as_ref());
     // What was on the bus at the very end, after the last turn; also of a run that went wrong.
     rig.settle_members();
@@ -157,6 +167,11 @@ pub fn run(options: &Options) -> Result<()> {
         recorded.finish()?;
     }
     let wall_seconds = driven?;
+    if let Some(path) = &options.flash {
+        // The end of a run is the end of the supply.
+        rig.cut_power(true);
+        std::fs::write(path, rig.flash()).with_context(|| format!("cannot write {}", path.display()))?;
+    }
     if let Some(screenshot) = &outputs.screenshot {
         screenshot.write_whole(&rig.picture_png())?;
     }

@@ -37,6 +37,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("codecs", "builds programs for the chip"),
     ("convert", "writes a file and prints one line: tools_recordings.rs"),
     ("coverage", "builds the tests anew"),
+    ("cuts", "takes a minute"),
     ("figures", "builds the firmware and drives it for minutes"),
     ("flash", "prints by the board: tools_flash.rs"),
     ("fonts", "needs the system's fonts; what it prints is of another program"),
@@ -45,6 +46,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("run", "needs the firmware"),
     ("screens", "what it prints is of `cargo test`"),
     ("size", "builds the firmware"),
+    ("store", "needs the image of a flash: tools_store.rs"),
     ("tasks", "builds the firmware and drives it for a minute"),
 ];
 

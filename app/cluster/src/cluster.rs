@@ -12,7 +12,9 @@ use crate::driver::press::{Press, Push};
 use crate::driver::settings::Settings;
 use crate::facts::Facts;
 use crate::faults::arbitration::Faults;
+use crate::faults::memory::History;
 use crate::faults::{Entry, Named};
+use crate::kept::parts::{Bytes, Distance, Part};
 use crate::monitors::limp;
 use crate::monitors::reverse::Reverse;
 use crate::monitors::{Options, Timers};
@@ -97,19 +99,74 @@ impl Cluster {
             buttons: (Press::new(), Press::new()),
             pages: Pages::new(),
             controller: None,
-            conditions: Conditions { controller_missing: false, restart: None, search: None },
+            conditions: Conditions::NONE,
             silent: Nodes::NONE,
             driver_left: false,
             start: Start::new(),
         }
     }
 
-    /// Starts the odometer from a distance that was kept, in 1/8 km; never takes distance away.
-    ///
-    /// For whatever keeps the odometer over power-off; this firmware keeps nothing yet.
+    /// Starts the odometer from a distance in 1/8 km; never takes distance away.
     pub fn restore(&mut self, odometer_km8: u32) {
         self.odometer.restore(odometer_km8);
         self.before.0.restore(odometer_km8);
+    }
+
+    /// Returns what is to be kept of a part; empty = it is not the cluster's.
+    pub(crate) fn part(&self, part: Part) -> Bytes {
+        let of = |bytes: &[u8]| Bytes::from_slice(bytes).unwrap_or_default();
+        match part {
+            Part::Distance => of(&self.odometer.kept().to_bytes()),
+            Part::Trips => self.trips.kept(),
+            Part::Settings => of(&self.settings.kept()),
+            Part::Vehicle => of(self.vehicle.name.as_bytes()),
+            Part::Starts | Part::Workshop | Part::Fault(_) => Bytes::new(),
+        }
+    }
+
+    /// Goes on from a part that was kept; it stays if the vehicle known now turns out to be a wrong one.
+    pub(crate) fn restore_part(&mut self, part: Part, bytes: &[u8]) {
+        match part {
+            Part::Distance => {
+                if let Some(distance) = Distance::from_bytes(bytes) {
+                    self.odometer.resume(distance);
+                    self.before.0.resume(distance);
+                }
+            }
+            Part::Trips => {
+                self.trips.resume(bytes);
+                self.before.1.resume(bytes);
+            }
+            Part::Settings => self.settings.resume(bytes),
+            Part::Vehicle | Part::Starts | Part::Workshop | Part::Fault(_) => {}
+        }
+    }
+
+    /// Takes note that the instrument is new: what it has counted is the whole distance.
+    pub(crate) fn start_distance(&mut self) {
+        self.odometer.begin();
+        self.before.0.begin();
+    }
+
+    /// Takes note that the kept distance is lost.
+    pub(crate) fn forget_distance(&mut self) {
+        self.odometer.forget();
+        self.before.0.forget();
+    }
+
+    /// Takes a fault of an earlier run.
+    pub(crate) fn remember(&mut self, entry: Entry) {
+        self.faults.history_mut().remember(entry);
+    }
+
+    /// Returns what went wrong, to look at more than once.
+    pub(crate) fn remembered_faults(&self) -> &History {
+        self.faults.history()
+    }
+
+    /// Returns the odometer in 0.1 km, rounded down.
+    pub(crate) fn hectometres(&self) -> u32 {
+        self.odometer.hectometres()
     }
 
     /// Takes what the instrument knows of itself: shown from now on.
@@ -294,7 +351,12 @@ impl Cluster {
         self.reception.counters()
     }
 
-    /// Returns the total distance in 1/8 km: what is to be kept for [`Self::restore`].
+    /// Returns the total distance in 1/8 km; `None` = the kept one is lost, and the vehicle has sent none since.
+    pub fn known_odometer_km8(&self) -> Option<u32> {
+        self.odometer.known_km8()
+    }
+
+    /// Returns the distance in 1/8 km, counted from zero if it is not known.
     pub fn odometer_km8(&self) -> u32 {
         self.odometer.km8()
     }

@@ -33,12 +33,15 @@ pub(crate) fn of(known: Known, shown: impl Fn(Value) -> Shown<i32>) -> [(Value, 
     let parked = matches!(gear, Some(Gear::N | Gear::P));
     let not_ready = shown(Value::VehicleReady) == Shown::Value(0);
     let is_allowed = known.may_upgrade && standing && parked && not_ready;
-    let odometer = known.odometer_km8.map(|km8| i32::try_from(km8).unwrap_or(i32::MAX));
     [
         (Value::ClusterDriverLeft, known.driver_left.map_or(Reading::Invalid, flag)),
         (Value::ClusterUpgradeForbidden, flag(!is_allowed)),
-        (Value::ClusterOdometer, odometer.map_or(Reading::Invalid, Reading::Valid)),
+        (Value::ClusterOdometer, known.odometer_km8.map_or(Reading::Invalid, distance)),
         (Value::ClusterHardware, Reading::Valid(HARDWARE)),
         (Value::ClusterSoftware, Reading::Valid(SOFTWARE)),
     ]
+}
+
+fn distance(km8: u32) -> Reading {
+    Reading::Valid(i32::try_from(km8).unwrap_or(i32::MAX))
 }

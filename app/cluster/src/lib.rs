@@ -6,7 +6,7 @@
 //! The door is [`Instrument`]. Where a rule lives: `faults` (what puts a line on the screen, what is remembered),
 //! `telltales`, `chime` (sounds), `driver::inputs` (own wires), each a table; `monitors` (timing), each a small machine;
 //! `instrument` (which vehicle this is, when it may send), `own` (what the instrument says of itself); `navigator` (which
-//! page, what turns it); `decisions` (what is said to the vehicle).
+//! page, what turns it); `decisions` (what is said to the vehicle); `kept` (what outlives power-off).
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -18,6 +18,7 @@ mod driver;
 mod facts;
 pub mod faults;
 pub mod instrument;
+pub mod kept;
 mod monitors;
 mod navigator;
 pub mod own;
@@ -35,6 +36,7 @@ pub use driver::inputs;
 pub use driver::inputs::{Button, Buttons, Contacts, Controller, Inputs, Key};
 pub use faults::{Entry, FaultId, Named};
 pub use instrument::{Access, Instrument};
+pub use kept::{Memory, Part};
 pub use monitors::Options;
 pub use reception::{Counters, MAX_MESSAGES, Received};
 pub use telltales::{Place, Telltale, TelltaleColour, Telltales};

@@ -16,6 +16,9 @@ use protocol_core::vehicle::Vehicle;
 const CONTROLLER_MS: u64 = 100;
 /// How long after start a fault of the previous run is shown, in milliseconds.
 const RESTARTED_MS: u64 = 10_000;
+/// How long after start a damaged memory is said, in milliseconds: long enough to be read behind the name of the
+/// vehicle, once.
+const DAMAGED_MS: u64 = 10_000;
 /// Time after start from which the screen says that the cluster listens, in milliseconds.
 const PATIENCE_MS: u64 = 1_000;
 /// A doubt about the vehicle has the last second of each of these, in milliseconds, whatever the vehicle reports.
@@ -57,6 +60,8 @@ pub(crate) struct Conditions {
     pub(crate) restart: Option<Restart>,
     /// The search for the vehicle; `None` = there is none, the image is for one vehicle.
     pub(crate) search: Option<Search>,
+    /// What was kept cannot be read or written.
+    pub(crate) is_memory_damaged: bool,
 }
 
 /// What the cluster of the vehicle knows of its bus.
@@ -69,6 +74,10 @@ pub(crate) struct Traffic {
 }
 
 impl Conditions {
+    /// Nothing is known yet.
+    pub(crate) const NONE: Self =
+        Self { controller_missing: false, restart: None, search: None, is_memory_damaged: false };
+
     /// Returns what is said: the cause nearest to the wires first.
     fn own(&self, traffic: Traffic, now: Millis) -> Option<Named> {
         if self.controller_missing && now.0 >= CONTROLLER_MS {
@@ -79,6 +88,7 @@ impl Conditions {
                 let code = if let Restart::Panic(line) = restart { line } else { None };
                 Some(Named { code, ..Named::of(FaultId::Restarted) })
             }
+            _ if self.is_memory_damaged && now.0 < DAMAGED_MS => Some(Named::of(FaultId::Memory)),
             (_, Some(Search::Contradicted)) => Some(Named::of(FaultId::Doubt)),
             _ if traffic.has_stopped => Some(Named::of(FaultId::NoTraffic)),
             _ if traffic.is_doubled => Some(Named::of(FaultId::TwoSenders)),
@@ -142,15 +152,14 @@ mod tests {
             .map(|line| (line.named.fault, line.code))
     }
 
-    const NO_CONTROLLER: Conditions = Conditions { controller_missing: true, restart: None, search: None };
-    const CONTRADICTED: Conditions =
-        Conditions { controller_missing: false, restart: None, search: Some(Search::Contradicted) };
-    const RESTARTED: Conditions =
-        Conditions { controller_missing: false, restart: Some(Restart::Watchdog), search: None };
+    const NO_CONTROLLER: Conditions = Conditions { controller_missing: true, ..Conditions::NONE };
+    const CONTRADICTED: Conditions = Conditions { search: Some(Search::Contradicted), ..Conditions::NONE };
+    const RESTARTED: Conditions = Conditions { restart: Some(Restart::Watchdog), ..Conditions::NONE };
+    const DAMAGED: Conditions = Conditions { is_memory_damaged: true, ..Conditions::NONE };
 
     #[test]
     fn a_cause_goes_before_the_silence_that_it_brings_and_never_before_what_the_vehicle_reports() {
-        for conditions in [NO_CONTROLLER, CONTRADICTED, RESTARTED] {
+        for conditions in [NO_CONTROLLER, CONTRADICTED, RESTARTED, DAMAGED] {
             let own = conditions.beside(Traffic::default(), None, false, &VEHICLE, Millis(200));
             assert!(own.is_some(), "{conditions:?}");
             for severity in [Severity::None, Warn, Derate, Stop] {
@@ -199,6 +208,7 @@ mod tests {
     fn each_line_has_its_time() {
         assert_eq!([99, 100].map(|now| said(NO_CONTROLLER, now).is_some()), [false, true]);
         assert_eq!([0, 9_999, 10_000].map(|now| said(RESTARTED, now).is_some()), [true, true, false]);
+        assert_eq!([0, 9_999, 10_000].map(|now| said(DAMAGED, now).is_some()), [true, true, false]);
         let listening = Conditions { search: Some(Search::Listening), ..Conditions::default() };
         assert_eq!([999, 1_000].map(|now| said(listening, now).is_some()), [false, true]);
         let found = Search::Found { at: Millis(700) };

@@ -5,6 +5,7 @@ mod cluster;
 mod driver;
 mod faults;
 mod instrument;
+mod kept;
 mod monitors;
 mod reception;
 mod support;

@@ -44,6 +44,7 @@
 
 mod can_node;
 mod config;
+mod keeping;
 mod queue;
 mod tasks;
 mod telemetry;
@@ -65,6 +66,7 @@ mod app {
 
     use crate::can_node::CanNode;
     use crate::config;
+    use crate::keeping::Keeping;
     use crate::queue::{FrameQueue, FrameReader, FrameWriter};
     use crate::tasks::{TileBuffer, Watch, draw, idle, link_done, panel_done, report, tick};
     use crate::wires::Wires;
@@ -96,6 +98,7 @@ mod app {
         buzzer: Buzzer,
         led: Led,
         watch: Watch,
+        keeping: Keeping,
     }
 
     #[init(local = [
@@ -145,6 +148,7 @@ mod app {
                 buzzer: board.buzzer,
                 led: board.led,
                 watch: Watch::new(board.watchdog),
+                keeping: Keeping::new(board.flash),
             },
         )
     }
@@ -165,7 +169,7 @@ mod app {
 
         #[task(
             priority = 2,
-            local = [frames_out, views_in, wires, buzzer, led, watch],
+            local = [frames_out, views_in, wires, buzzer, led, watch, keeping],
             shared = [can, instrument, &boot],
         )]
         async fn tick(cx: tick::Context);

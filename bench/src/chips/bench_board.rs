@@ -293,6 +293,17 @@ impl Board for BenchBoard {
         reply
     }
 
+    fn power(&mut self, now: Nanos, on: bool, inputs: &mut InputPins) {
+        self.catch_up(now, inputs);
+        self.mcp2515.power_cycle(now, &mut self.bus);
+        self.panel.power_cycle(now);
+        if self.wiring.panel.backlight.is_none() {
+            self.panel.set_backlight(if on { panel::BACKLIGHT_FULL } else { 0 });
+        }
+        self.show_int(now, inputs);
+        self.refresh_due();
+    }
+
     fn uart_byte(&mut self, now: Nanos, port: u8, byte: u8) {
         if port == self.wiring.uart {
             self.uart.push((now, byte));

@@ -317,6 +317,7 @@ const fn wire(fault: BusFault) -> &'static str {
         BusFault::Babble => "bus.babble",
         BusFault::Garble => "bus.garble",
         BusFault::Unplug => "bus.unplug",
+        BusFault::PowerCut => "power.cut",
     }
 }
 

@@ -23,6 +23,7 @@ use super::timer::Timer;
 use super::uart::Uart;
 use super::watchdog::{Psm, Resets, Watchdog, block, psm};
 use super::xip::Xip;
+use crate::flash::Cells;
 use crate::time::Nanos;
 
 /// First address of SRAM.
@@ -52,19 +53,6 @@ pub(super) enum Source {
     Dma,
     Pwm,
     Adc,
-}
-
-/// An erase or program under way in the boot ROM.
-#[derive(Clone, Debug)]
-pub(super) struct FlashJob {
-    /// Offset in flash.
-    pub(super) offset: usize,
-    /// Bytes covered.
-    pub(super) len: usize,
-    /// What to program; `None` erases.
-    pub(super) data: Option<Vec<u8>>,
-    pub(super) started: u64,
-    pub(super) done: u64,
 }
 
 pub(super) struct Chip {
@@ -104,7 +92,6 @@ pub(super) struct Chip {
     pub(super) pwm_touched: bool,
     pub(super) reset_request: Option<super::ResetCause>,
     pub(super) stop: Option<Stop>,
-    pub(super) flash_job: Option<FlashJob>,
     /// Address of the last fetch, for messages.
     pub(super) pc: u32,
     /// SPI ports whose SCK and TX are on pins, and those whose RX is.
@@ -117,7 +104,7 @@ pub(super) struct Chip {
 }
 
 impl Chip {
-    pub(super) fn new(flash: Vec<u8>) -> Self {
+    pub(super) fn new(cells: Cells) -> Self {
         let clocks = Clocks::new();
         let ram: Box<[u8; RAM_BYTES]> = match vec![RAM_POWER_ON; RAM_BYTES].into_boxed_slice().try_into() {
             Ok(ram) => ram,
@@ -129,7 +116,7 @@ impl Chip {
             horizon: 0,
             extra: 0,
             ram,
-            xip: Xip::new(flash),
+            xip: Xip::new(cells, ROSC_HZ),
             gpio: Gpio::new(),
             spi: [Spi::new(ROSC_HZ, 0), Spi::new(ROSC_HZ, 0)],
             uart: [Uart::new(ROSC_HZ, 0), Uart::new(ROSC_HZ, 0)],
@@ -153,13 +140,33 @@ impl Chip {
             pwm_touched: false,
             reset_request: None,
             stop: None,
-            flash_job: None,
             pc: 0,
             spi_out: [false; 2],
             spi_in: [false; 2],
             streams: 0,
             stream_source: (0, 0),
         }
+    }
+
+    /// The supply fails and comes back: all that is not in the flash is lost; time goes on, pins fall.
+    pub(super) fn power_cycle(&mut self) {
+        let now = self.now;
+        self.xip.cut_power(now);
+        self.gpio.reset_bank();
+        self.gpio.reset_pads();
+        self.gpio.reset_sio();
+        let mut fresh = Self::new(Cells::new(Vec::new()));
+        self.time.change(now, fresh.time.hz());
+        self.xip.set_hz(fresh.time.hz());
+        std::mem::swap(&mut fresh.time, &mut self.time);
+        std::mem::swap(&mut fresh.xip, &mut self.xip);
+        std::mem::swap(&mut fresh.gpio, &mut self.gpio);
+        fresh.now = now;
+        fresh.timer = Timer::new(now, None);
+        fresh.reclocked = true;
+        fresh.stop = self.stop.take();
+        fresh.touch_outputs();
+        *self = fresh;
     }
 
     pub(super) fn nanos(&self) -> Nanos {
@@ -232,6 +239,7 @@ impl Chip {
         }
         if sys != self.time.hz() {
             self.time.change(self.now, sys);
+            self.xip.set_hz(sys);
             self.reclocked = true;
         }
         let (peri, adc) = (self.clocks.peri_hz(), self.clocks.adc_hz());
@@ -335,13 +343,12 @@ impl Chip {
         self.resets.held |= blocks;
         self.reset_blocks(blocks);
         if has(psm::XIP) {
-            self.xip.reset();
+            self.xip.reset(self.now);
         }
         if has(psm::SIO) {
             self.sio = Sio::new();
             self.gpio.reset_sio();
         }
-        self.flash_job = None;
         has(psm::PROC0)
     }
 

@@ -40,12 +40,13 @@ use std::fmt;
 use self::bus::{Bus, BusError, Width};
 use self::chip::{Chip, NEVER, RAM_BASE, RAM_BYTES, Source};
 use self::cpu::Cpu;
+pub use self::nor::FlashTimes;
 use self::rom::Service;
-pub use self::services::{BLOCK_ERASE, PAGE_PROGRAM, SECTOR_ERASE};
 use self::watch::Watch;
 pub use self::watch::{Handler, Watched};
 use self::watchdog::{REASON_FORCE, REASON_TIMER};
 use self::xip::FLASH_BYTES;
+use crate::flash::Cells;
 use crate::pins::{Board, InputPins};
 use crate::time::Nanos;
 
@@ -171,6 +172,8 @@ pub struct Stats {
 pub struct Rp2040<B: Board> {
     /// What is on its pins.
     pub board: B,
+    /// The supply is off: only the board lives on.
+    is_off: bool,
     chip: Chip,
     cpu: Option<Box<Cpu>>,
     inputs: InputPins,
@@ -190,9 +193,15 @@ impl<B: Board> Rp2040<B> {
     pub fn new(flash: Vec<u8>, board: B) -> Self {
         let mut flash = flash;
         flash.resize(FLASH_BYTES, 0xff);
+        Self::with_cells(Cells::new(flash), board)
+    }
+
+    /// Switches the power on with a flash that has a past: 2 MiB, as [`Self::power_cut`] leaves them.
+    pub fn with_cells(cells: Cells, board: B) -> Self {
         let mut machine = Self {
             board,
-            chip: Chip::new(flash),
+            is_off: false,
+            chip: Chip::new(cells),
             cpu: Some(Box::new(Cpu::new())),
             inputs: InputPins::default(),
             board_wants: None,
@@ -268,26 +277,67 @@ impl<B: Board> Rp2040<B> {
         seen
     }
 
-    /// The flash as it is now.
+    /// The flash as it is now; a bit that was cut off in its change is told as it was before.
     pub fn flash(&self) -> &[u8] {
-        &self.chip.xip.flash
+        self.chip.xip.cells.bytes()
     }
 
-    /// Whether the boot ROM is erasing or programming now.
+    /// The cells of the flash with their wear.
+    pub fn cells(&self) -> &Cells {
+        &self.chip.xip.cells
+    }
+
+    /// Gives the flash another past, and its noise another seed; for a chip that is off or has just been switched on.
+    pub fn set_cells(&mut self, cells: Cells) {
+        self.chip.xip.cells = cells;
+        self.chip.xip.flush();
+    }
+
+    /// How long the flash chip takes for its writes from now on.
+    pub fn set_flash_times(&mut self, times: FlashTimes) {
+        self.chip.xip.set_times(times);
+    }
+
+    /// Whether the flash has a write to end, suspended or not.
     pub fn is_writing_flash(&self) -> bool {
-        self.chip.flash_job.is_some()
+        self.chip.xip.is_writing()
     }
 
-    /// Cuts the power. The flash survives; a sector or page in the middle of being written holds something in between.
-    pub fn power_cut(self) -> (Vec<u8>, B) {
-        let mut chip = self.chip;
-        if let Some(job) = chip.flash_job.take() {
-            let done = chip.now.saturating_sub(job.started);
-            let total = (job.done - job.started).max(1);
-            let reached = (job.len as u64 * done / total) as usize;
-            job.apply(&mut chip.xip.flash, reached.min(job.len));
+    /// Cuts the power for good. The flash survives; what was being written holds something in between.
+    pub fn power_cut(mut self) -> (Cells, B) {
+        let now = self.chip.now;
+        self.chip.xip.cut_power(now);
+        (self.chip.xip.cells, self.board)
+    }
+
+    /// Cuts the power of the chip and of what is on its board; the rest of the world lives on. Cutting twice is once.
+    pub fn power_off(&mut self) {
+        if self.is_off {
+            return;
         }
-        (chip.xip.flash, self.board)
+        self.catch_up(self.chip.now);
+        self.chip.power_cycle();
+        self.report_outputs();
+        self.lines = 0;
+        self.wary = [0; 2];
+        self.is_off = true;
+        let at = self.board_time(self.chip.now);
+        self.board.power(at, false, &mut self.inputs);
+        self.board_wants = None;
+        self.after_board();
+    }
+
+    /// Switches the power on again.
+    pub fn power_on(&mut self) {
+        if !std::mem::take(&mut self.is_off) {
+            return;
+        }
+        let at = self.board_time(self.chip.now);
+        self.board.power(at, true, &mut self.inputs);
+        self.board_wants = None;
+        self.after_board();
+        self.stats.resets.push((self.now(), ResetCause::PowerOn));
+        self.restart_core();
     }
 
     /// `len` bytes of SRAM from `address` on; empty if that is not all SRAM.
@@ -376,6 +426,10 @@ impl<B: Board> Rp2040<B> {
                 }
             }
             let target = next.0.min(until).min(self.chip.now.saturating_add(stride));
+            if self.is_off {
+                self.chip.now = target;
+                continue;
+            }
             if cpu.is_sleeping() {
                 let wake = cpu
                     .cycles_to_systick()

@@ -1,28 +1,23 @@
 //! Boot ROM services: start-up, memory functions, erase and program.
 //!
-//! Serves the BKPTs of the stand-in ROM (`rom`). Erase and program take their datasheet-typical time, during which the
-//! board lives on and interrupts are taken; what they do to the flash happens at their end, and a power cut in between
-//! leaves the unit under way half done.
+//! Serves the BKPTs of the stand-in ROM (`rom`). Erase and program take the flash chip's time, during which the board
+//! lives on and interrupts are taken.
 //!
-//! Source: RP2040 datasheet 2.8.2 (boot sequence), 2.8.3 (functions); W25Q16JV datasheet 9.6 (times).
+//! Source: RP2040 datasheet 2.8.2 (boot sequence), 2.8.3 (functions).
 //!
-//! Not modelled: the spread of erase and program times, wear. Cycles of memset and memcpy are estimates.
+//! Not modelled: cycles of memset and memcpy are estimates; program by the ROM counts as one write, however many pages.
 
 use super::Rp2040;
 use super::bus::Width;
-use super::chip::{FlashJob, RAM_BASE};
-use super::nor::{PAGE_BYTES, SECTOR_BYTES};
+use super::chip::RAM_BASE;
 use super::rom::{self, Service};
 use super::xip::FLASH_BYTES;
+use crate::flash::Work;
 use crate::pins::Board;
 use crate::time::Nanos;
 
-/// Typical sector erase (W25Q16JV datasheet 9.6).
-pub const SECTOR_ERASE: Nanos = Nanos::from_millis(45);
-/// Typical 64 KiB block erase.
-pub const BLOCK_ERASE: Nanos = Nanos::from_millis(150);
-/// Typical page program.
-pub const PAGE_PROGRAM: Nanos = Nanos::from_micros(400);
+const SECTOR_BYTES: u32 = crate::flash::SECTOR_BYTES as u32;
+const PAGE_BYTES: u32 = crate::flash::PAGE_BYTES as u32;
 const BLOCK_BYTES: u32 = 64 * 1024;
 /// Cycles of one turn of the ROM's busy loop, status command included.
 const POLL_CYCLES: u64 = 200;
@@ -39,13 +34,17 @@ impl<B: Board> Rp2040<B> {
         self.chip.boot_rom_resets();
         self.chip.xip.exit_xip(self.chip.now);
         self.chip.xip.flush_and_release(self.chip.now);
-        let boot2 = &self.chip.xip.flash[..rom::BOOT2_BYTES];
-        if !rom::is_boot2_valid(boot2) {
+        // The ROM reads again and again for half a second: a write that goes on over a reset is waited for.
+        if let Some(ready) = self.chip.xip.busy_until(self.chip.now) {
+            self.chip.extra += i32::try_from(ready - self.chip.now).unwrap_or(i32::MAX / 2);
+        }
+        let boot2: Vec<u8> = (0..rom::BOOT2_BYTES).map(|at| self.chip.xip.cells.read(at)).collect();
+        if !rom::is_boot2_valid(&boot2) {
             self.chip.stop_for("the flash has no valid second stage: the chip would enter USB boot");
             return;
         }
         let at = (rom::BOOT2_RAM - RAM_BASE) as usize;
-        self.chip.ram[at..at + rom::BOOT2_BYTES].copy_from_slice(boot2);
+        self.chip.ram[at..at + rom::BOOT2_BYTES].copy_from_slice(&boot2);
         registers[4] = rom::BOOT2_RAM | 1;
         registers[14] = 0;
         self.chip.extra += rom::BOOT_CYCLES;
@@ -70,7 +69,7 @@ impl<B: Board> Rp2040<B> {
             Service::RangeErase => self.start_erase(r),
             Service::RangeProgram => self.start_program(r),
             Service::FlushCache => self.chip.xip.flush_and_release(self.chip.now),
-            Service::EnterCommandXip => self.chip.xip.enter_command_xip(),
+            Service::EnterCommandXip => self.chip.xip.enter_command_xip(self.chip.now),
             Service::Float(entry) => rom::float(entry, r),
             Service::Double(entry) => rom::double(entry, r),
         }
@@ -110,17 +109,19 @@ impl<B: Board> Rp2040<B> {
         }
         // Whole aligned blocks go by the block command, if the caller gave one.
         let by_block = block_bytes == BLOCK_BYTES;
+        let times = self.chip.xip.times();
         let (mut at, end, mut time) = (offset, offset + count, Nanos::ZERO);
         while at < end {
             if by_block && at.is_multiple_of(BLOCK_BYTES) && end - at >= BLOCK_BYTES {
-                time += BLOCK_ERASE;
+                time += times.block_erase;
                 at += BLOCK_BYTES;
             } else {
-                time += SECTOR_ERASE;
+                time += times.sector_erase;
                 at += SECTOR_BYTES;
             }
         }
-        self.start_flash_job(offset, count, None, time);
+        let work = Work::Erase { offset: offset as usize, len: count as usize };
+        self.chip.xip.begin(work, self.chip.now, time);
     }
 
     fn start_program(&mut self, r: &mut [u32; 16]) {
@@ -140,8 +141,8 @@ impl<B: Board> Rp2040<B> {
                 }
             }
         }
-        let time = Nanos(PAGE_PROGRAM.0 * u64::from(count / PAGE_BYTES));
-        self.start_flash_job(offset, count, Some(data), time);
+        let time = Nanos(self.chip.xip.times().page_program.0 * u64::from(count / PAGE_BYTES));
+        self.chip.xip.begin(Work::Program { offset: offset as usize, data }, self.chip.now, time);
     }
 
     fn may_write_flash(&mut self, function: &str, offset: u32, count: u32, unit: u32) -> bool {
@@ -161,49 +162,14 @@ impl<B: Board> Rp2040<B> {
         false
     }
 
-    fn start_flash_job(&mut self, offset: u32, count: u32, data: Option<Vec<u8>>, time: Nanos) {
-        let started = self.chip.now;
-        let done = self.chip.time.cycle(self.now() + time);
-        self.chip.flash_job =
-            Some(FlashJob { offset: offset as usize, len: count as usize, data, started, done });
-    }
-
     /// One turn of the ROM's busy loop: r3 = 0 once the flash is ready.
     fn poll_flash(&mut self, r: &mut [u32; 16]) {
         r[3] = 0;
-        let Some(job) = &self.chip.flash_job else { return };
-        if self.chip.now >= job.done {
-            let job = self.chip.flash_job.take();
-            if let Some(job) = job {
-                job.apply(&mut self.chip.xip.flash, job.len);
-            }
-            return;
-        }
+        let Some(done) = self.chip.xip.busy_until(self.chip.now) else { return };
         r[3] = 1;
         // Nothing can interest the loop before the flash is ready or something happens, so one turn takes that long.
-        let until = job.done.min(self.chip.horizon);
-        let cycles =
-            until.saturating_sub(self.chip.now).max(POLL_CYCLES).min(job.done - self.chip.now).max(1);
+        let until = done.min(self.chip.horizon);
+        let cycles = until.saturating_sub(self.chip.now).max(POLL_CYCLES).min(done - self.chip.now).max(1);
         self.chip.extra += i32::try_from(cycles.min(1 << 24)).unwrap_or(0);
-    }
-}
-
-impl FlashJob {
-    /// Carries the job out up to `reached` bytes; the unit that `reached` falls into is left half done.
-    pub(super) fn apply(&self, flash: &mut [u8], reached: usize) {
-        let unit = if self.data.is_some() { PAGE_BYTES } else { SECTOR_BYTES } as usize;
-        let whole = reached / unit * unit;
-        let target = &mut flash[self.offset..self.offset + self.len];
-        for (i, byte) in target.iter_mut().enumerate().take((whole + unit).min(self.len)) {
-            // A cell in the middle of its change reads either way; a fixed scramble decides, so runs stay equal.
-            let scramble = (i as u32 ^ 0x5a5a).wrapping_mul(0x9e37_79b1).to_be_bytes()[0];
-            let half_done = i >= whole;
-            *byte = match (&self.data, half_done) {
-                (None, false) => 0xff,
-                (None, true) => *byte | scramble,
-                (Some(data), false) => *byte & data[i],
-                (Some(data), true) => *byte & (data[i] | scramble),
-            };
-        }
     }
 }

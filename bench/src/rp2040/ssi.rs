@@ -11,6 +11,7 @@
 use std::collections::VecDeque;
 
 use super::nor::Nor;
+use crate::flash::Cells;
 
 /// Registers, what has been received, and until when the last frame lasts.
 #[derive(Clone, Debug)]
@@ -139,7 +140,7 @@ impl Ssi {
         value: u32,
         now: u64,
         nor: &mut Nor,
-        flash: &mut [u8],
+        cells: &mut Cells,
     ) -> Option<()> {
         match offset {
             0x00 => self.ctrlr0 = value,
@@ -160,7 +161,7 @@ impl Ssi {
                     return None;
                 }
             }
-            0x60..=0xec => self.transmit(value, now, nor, flash),
+            0x60..=0xec => self.transmit(value, now, nor, cells),
             0xf0 => self.rx_sample_dly = value,
             0xf4 => self.spi_ctrlr0 = value,
             0xf8 => self.plain[2] = value,
@@ -169,7 +170,7 @@ impl Ssi {
         Some(())
     }
 
-    pub(super) fn transmit(&mut self, value: u32, now: u64, nor: &mut Nor, flash: &mut [u8]) {
+    pub(super) fn transmit(&mut self, value: u32, now: u64, nor: &mut Nor, cells: &mut Cells) {
         if self.ssienr & 1 == 0 || self.ser & 1 == 0 {
             return;
         }
@@ -180,7 +181,7 @@ impl Ssi {
             self.busy_until = start + u64::from(bits) * sck;
             let mut word = 0;
             for byte in (0..bits / 8).rev() {
-                word = word << 8 | u32::from(nor.exchange((value >> (8 * byte)) as u8, flash, start));
+                word = word << 8 | u32::from(nor.exchange((value >> (8 * byte)) as u8, cells, start));
             }
             if self.transfer_mode() != 1 && self.received.len() < 16 {
                 self.received.push_back((self.busy_until, word));
@@ -203,8 +204,9 @@ impl Ssi {
         }
         let address = (address_and_mode >> 8) as usize;
         for frame in 0..frames.min(16) as usize {
-            let word = (0..4)
-                .fold(0, |word, i| word << 8 | u32::from(flash[(address + 4 * frame + i) % flash.len()]));
+            let word = (0..4).fold(0, |word, i| {
+                word << 8 | u32::from(cells.read((address + 4 * frame + i) % cells.bytes().len()))
+            });
             self.received.push_back((self.busy_until, word));
         }
     }

@@ -1,18 +1,20 @@
 //! Execute-in-place: the flash window and its 16 KiB cache, in front of SSI and flash chip.
 //!
-//! Owns the flash bytes. A load or fetch from the flash windows goes through a two-way cache of 8-byte lines that holds
+//! Owns the cells of the flash. A load or fetch from the flash windows goes through a two-way cache of 8-byte lines that holds
 //! its own copy of the data, so code that forgets to flush after programming reads stale bytes here too. The cost of a
 //! miss follows from the SSI registers that boot2 programmed: SCK clocks of command, address, wait cycles and 64 data
 //! bits, times BAUDR, plus [`MISS_OVERHEAD`]. While the SSI is not set up for XIP, or chip select is forced, or the
-//! flash expects another kind of command, the window is unmapped and every access to it is an error.
+//! flash expects another kind of command or is busy, the window is unmapped and every access to it is an error.
 //!
 //! Source: RP2040 datasheet 2.6.3 (flash, XIP cache).
 //!
 //! Not modelled: XIP streaming, the cache as SRAM. XIP_CTRL's counters count one access per line crossed, not one per
 //! word. The replacement policy (least recently used) is an assumption. DMA out of flash costs the DMA no time.
 
-use super::nor::Nor;
+use super::nor::{FlashTimes, Nor};
 use super::ssi::Ssi;
+use crate::flash::{Cells, Work};
+use crate::time::Nanos;
 
 /// First address of the cached flash window.
 pub const FLASH_BASE: u32 = 0x1000_0000;
@@ -40,7 +42,7 @@ pub(super) enum Port {
 /// Cache, SSI and flash.
 #[derive(Clone, Debug)]
 pub(super) struct Xip {
-    pub(super) flash: Vec<u8>,
+    pub(super) cells: Cells,
     tags: Vec<u32>,
     lines: Vec<u64>,
     newest: Vec<u8>,
@@ -59,9 +61,9 @@ pub(super) struct Xip {
 }
 
 impl Xip {
-    pub(super) fn new(flash: Vec<u8>) -> Self {
+    pub(super) fn new(cells: Cells, hz: u64) -> Self {
         let mut xip = Self {
-            flash,
+            cells,
             tags: vec![NO_LINE; 2 * SETS],
             lines: vec![0; 2 * SETS],
             newest: vec![0; SETS],
@@ -75,18 +77,53 @@ impl Xip {
             word_cycles: 0,
             mapped: false,
             ssi: Ssi::new(),
-            nor: Nor::new(),
+            nor: Nor::new(hz),
         };
-        xip.refresh();
+        xip.refresh(0);
         xip
     }
 
-    /// Resets the cache and the SSI; the flash chip keeps its mode.
-    pub(super) fn reset(&mut self) {
+    /// Resets the cache and the SSI; the flash chip keeps its mode and goes on with what it does.
+    pub(super) fn reset(&mut self, now: u64) {
         self.ctrl = 3;
         self.ssi = Ssi::new();
         self.flush();
-        self.refresh();
+        self.refresh(now);
+    }
+
+    /// The supply fails.
+    pub(super) fn cut_power(&mut self, now: u64) {
+        self.settle(now);
+        self.nor.cut_power(&mut self.cells, now);
+        self.reset(now);
+    }
+
+    pub(super) fn set_times(&mut self, times: FlashTimes) {
+        self.nor.set_times(times);
+    }
+
+    pub(super) fn times(&self) -> FlashTimes {
+        self.nor.times()
+    }
+
+    pub(super) fn set_hz(&mut self, hz: u64) {
+        self.nor.set_hz(hz);
+    }
+
+    /// Begins a write by the boot ROM that takes `time`.
+    pub(super) fn begin(&mut self, work: Work, now: u64, time: Nanos) {
+        self.nor.begin(work, now, time);
+    }
+
+    /// When the flash chip's write under way ends; `None` = it is ready.
+    pub(super) fn busy_until(&mut self, now: u64) -> Option<u64> {
+        self.nor.settle(&mut self.cells, now);
+        self.nor.busy_until(now)
+    }
+
+    /// Whether the flash chip has a write to end, suspended or not.
+    pub(super) fn is_writing(&self) -> bool {
+        self.nor.is_writing()
     }
 
     pub(super) fn is_mapped(&self) -> bool {
@@ -98,10 +135,12 @@ impl Xip {
         self.forget_current();
     }
 
-    fn refresh(&mut self) {
+    fn refresh(&mut self, now: u64) {
+        let is_ready = self.busy_until(now).is_none();
         let ssi = &self.ssi;
         let continuous = ssi.sends_no_command();
-        self.mapped = ssi.is_xip() && ssi.select_forced.is_none() && continuous == self.nor.continuous;
+        self.mapped =
+            ssi.is_xip() && ssi.select_forced.is_none() && continuous == self.nor.continuous && is_ready;
         self.miss_cycles = ssi.sck_clocks(64) * ssi.divisor() + MISS_OVERHEAD;
         self.word_cycles = ssi.sck_clocks(32) * ssi.divisor() + MISS_OVERHEAD;
         if !self.mapped {
@@ -113,9 +152,9 @@ impl Xip {
         self.current = [(NO_LINE, 0); 2];
     }
 
-    fn flash_line(&self, address: u32) -> u64 {
-        let offset = (address & 0x00ff_fff8) as usize % self.flash.len();
-        self.flash[offset..offset + 8].iter().rev().fold(0, |line, byte| line << 8 | u64::from(*byte))
+    fn flash_line(&mut self, address: u32) -> u64 {
+        let offset = (address & 0x00ff_fff8) as usize % self.cells.bytes().len();
+        (0..8).rev().fold(0, |line, i| line << 8 | u64::from(self.cells.read(offset + i)))
     }
 
     /// The 8-byte line that holds `address`, for a fetch or a load; `extra` collects the wait states.
@@ -221,19 +260,19 @@ impl Xip {
     pub(super) fn force_select(&mut self, level: Option<bool>, now: u64) {
         self.settle(now);
         if level == Some(true) || self.ssi.select_forced == Some(false) {
-            self.nor.deselect(&mut self.flash, now);
+            self.nor.deselect(&mut self.cells, now);
         }
         self.ssi.select_forced = level;
-        self.refresh();
+        self.refresh(now);
     }
 
     /// What the boot ROM's flash_exit_xip leaves behind: serial mode, /6, chip select forced high.
     pub(super) fn exit_xip(&mut self, now: u64) {
         self.settle(now);
-        self.nor.deselect(&mut self.flash, now);
+        self.nor.deselect(&mut self.cells, now);
         self.nor.continuous = false;
         self.ssi = Ssi::serial();
-        self.refresh();
+        self.refresh(now);
     }
 
     /// What flash_flush_cache leaves behind: an empty, enabled cache and automatic chip select.
@@ -244,13 +283,13 @@ impl Xip {
     }
 
     /// What flash_enter_cmd_xip leaves behind: a 03h serial read per miss.
-    pub(super) fn enter_command_xip(&mut self) {
+    pub(super) fn enter_command_xip(&mut self, now: u64) {
         self.ssi.ssienr = 1;
         self.ssi.ser = 1;
         self.ssi.ctrlr0 = 3 << 8 | 31 << 16;
         self.ssi.ctrlr1 = 0;
         self.ssi.spi_ctrlr0 = 0x03 << 24 | 2 << 8 | 6 << 2;
-        self.refresh();
+        self.refresh(now);
     }
 
     pub(super) fn read_ssi(&mut self, offset: u32, now: u64) -> Option<u32> {
@@ -260,15 +299,15 @@ impl Xip {
 
     pub(super) fn write_ssi(&mut self, offset: u32, value: u32, now: u64) -> Option<()> {
         self.settle(now);
-        self.ssi.write(offset, value, now, &mut self.nor, &mut self.flash)?;
-        self.refresh();
+        self.ssi.write(offset, value, now, &mut self.nor, &mut self.cells)?;
+        self.refresh(now);
         Some(())
     }
 
     /// Ends a flash transaction whose last frame is over.
     fn settle(&mut self, now: u64) {
         if self.ssi.select_forced.is_none() && now >= self.ssi.busy_until {
-            self.nor.deselect(&mut self.flash, self.ssi.busy_until);
+            self.nor.deselect(&mut self.cells, self.ssi.busy_until);
         }
     }
 }

@@ -144,6 +144,7 @@ impl Subject for BenchSubject {
                 BusFault::Babble => self.rig.babble(*on),
                 BusFault::Garble => self.rig.garble(*on),
                 BusFault::Unplug => self.rig.unplug(*on),
+                BusFault::PowerCut => self.rig.cut_power(*on),
             },
             Action::Send(frame) => self.rig.send(*frame),
         }

@@ -269,8 +269,8 @@ impl Reader<'_> {
             _ => None,
         };
         if let Some((_, fault)) = BusFault::ALL.into_iter().find(|(name, _)| *name == path) {
-            if fault == BusFault::Garble && on.contains(&Place::Host) {
-                self.fail("`bus.garble` needs a bus: on = [\"firmware\"]".into());
+            if matches!(fault, BusFault::Garble | BusFault::PowerCut) && on.contains(&Place::Host) {
+                self.fail(format!("`{path}` needs a bus and a board: on = [\"firmware\"]"));
             }
             if flag.is_none() {
                 self.fail(format!("`{path}` takes off or on"));

@@ -8,6 +8,7 @@ use super::name::Signal;
 use super::{Action, Answer, BusFault, Name, Place, Subject};
 use crate::switches;
 use anyhow::Result;
+use cluster::kept::Memory;
 use cluster::page::key_of;
 use cluster::{Button, Buttons, Contacts, Inputs, Instrument, Sound, View};
 use protocol_core::generated::SHIPPED_VEHICLES;
@@ -36,9 +37,12 @@ impl HostSubject {
     pub fn new(kind: Kind, options: Options) -> Self {
         let mut vehicle = VirtualVehicle::new(kind, options);
         vehicle.over_a_bus();
+        let mut instrument = Instrument::searching(SHIPPED_VEHICLES, cluster::Options::default());
+        // As the firmware on a board of which the flash is empty.
+        instrument.resume(Memory::New);
         Self {
             vehicle,
-            instrument: Instrument::searching(SHIPPED_VEHICLES, cluster::Options::default()),
+            instrument,
             buttons: Buttons::default(),
             faults: Vec::new(),
             sent: Transmitted::default(),

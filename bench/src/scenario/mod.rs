@@ -59,7 +59,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A fault of the bus that a bench can make.
+/// A fault of the bus or of the supply that a bench can make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BusFault {
     /// Stuck dominant: nobody hears anybody.
@@ -70,14 +70,17 @@ pub enum BusFault {
     Garble,
     /// The cluster's connector is pulled.
     Unplug,
+    /// The cluster's supply is cut; it starts anew, with what its flash holds, when that ends.
+    PowerCut,
 }
 
 impl BusFault {
-    const ALL: [(&'static str, Self); 4] = [
+    const ALL: [(&'static str, Self); 5] = [
         ("bus.short", Self::Short),
         ("bus.babble", Self::Babble),
         ("bus.garble", Self::Garble),
         ("bus.unplug", Self::Unplug),
+        ("power.cut", Self::PowerCut),
     ];
 }
 

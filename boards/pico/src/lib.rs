@@ -13,6 +13,7 @@
 //! | body         | 4, 5, 6, 7, 14, 21, 22 (pull-up, to ground)                 |               |                |
 //! | gauges       | 26 supply, 27 and 28 air                                    | ADC 0 to 2    |                |
 //! | PC link      | 0 TX, 1 RX, 115 200 baud                                    | UART0, DMA 1  | `DMA_IRQ_1`    |
+//! | records      | top 32 KiB of the flash                                     | SSI           |                |
 //! | LED          | 25                                                          |               |                |
 //!
 //! Constants are in [`facts`]. Source: Raspberry Pi Pico datasheet, RP2040 datasheet.
@@ -27,6 +28,7 @@ compile_error!("no panel: build with --features ili9341 or --features st7789");
 pub mod can_port;
 pub mod clock;
 pub mod facts;
+pub mod flash_port;
 pub mod gauges;
 pub mod link_port;
 pub mod panel_port;
@@ -35,6 +37,7 @@ pub mod small_parts;
 
 pub use can_port::{CanInt, CanSpi};
 pub use clock::{Delay, now_us, stamp_us};
+pub use flash_port::FlashPort;
 pub use gauges::{Gauges, Measured};
 pub use link_port::LinkPort;
 pub use panel_port::PanelPort;
@@ -100,6 +103,8 @@ pub struct Board {
     pub led: Led,
     /// PC link.
     pub link: LinkPort,
+    /// The region of the flash in which records are kept.
+    pub flash: FlashPort,
     /// Watchdog, not started yet: see [`start_watchdog`].
     pub watchdog: Watchdog,
     /// Microsecond timer, running: for the application's monotonic.
@@ -201,6 +206,7 @@ pub fn init(mut pac: pac::Peripherals, memory: &'static mut Memory) -> Board {
         gauges,
         led: Led(pins.gpio25.into_push_pull_output_in_state(PinState::Low).into_pull_type()),
         link: LinkPort::new(uart, dma.ch1, &mut memory.link_ring),
+        flash: FlashPort::new(),
         watchdog,
         timer: pac.TIMER,
         resets: pac.RESETS,

@@ -327,7 +327,12 @@ impl Faults {
         })
     }
 
-    /// Returns what went wrong since power-on.
+    /// Returns what went wrong, to add what an earlier run has kept.
+    pub(crate) fn history_mut(&mut self) -> &mut History {
+        &mut self.history
+    }
+
+    /// Returns what went wrong.
     pub(crate) fn history(&self) -> &History {
         &self.history
     }

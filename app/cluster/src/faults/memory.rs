@@ -105,6 +105,17 @@ impl History {
         let _ = self.entries.push_back(entry);
     }
 
+    /// Takes an entry of an earlier run: an entry of its own, or on top of the same fault's count.
+    pub(crate) fn remember(&mut self, entry: Entry) {
+        if let Some(known) = self.find_mut(entry.fault, entry.code) {
+            known.count = known.count.saturating_add(entry.count);
+            known.severity = known.severity.max(entry.severity);
+        } else {
+            // Without room it is lost: those of this run are worth more.
+            let _ = self.entries.push_back(entry);
+        }
+    }
+
     /// Notes how bad a fault has become that is still there; returns whether it has an entry.
     pub(crate) fn worsened(&mut self, fault: FaultId, code: Option<u16>, severity: Severity) -> bool {
         let entry = self.find_mut(fault, code);

@@ -10,7 +10,7 @@
 //! | `memory`      | what went wrong since power-on                                        |
 
 pub(crate) mod arbitration;
-mod memory;
+pub(crate) mod memory;
 mod named;
 mod reading;
 mod table;

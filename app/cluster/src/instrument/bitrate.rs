@@ -42,6 +42,15 @@ impl BitrateScan {
         self.bitrate
     }
 
+    /// Listens at the bit rate of the vehicle of this name first, if there is one and no frame has been heard yet.
+    pub fn expect(&mut self, name: &[u8]) -> u32 {
+        let expected = self.vehicles.iter().find(|vehicle| vehicle.name.as_bytes() == name);
+        if let Some(vehicle) = expected.filter(|_| !self.is_trusted) {
+            self.bitrate = vehicle.bitrate;
+        }
+        self.bitrate
+    }
+
     /// Takes what the controller has met since the last call; returns the bit rate to change to.
     pub fn listen(&mut self, frames: bool, errors: bool, now: Millis) -> Option<u32> {
         if frames {

@@ -11,6 +11,7 @@
 //! | [`Cluster`]        | everything that follows from frames, inputs and time           |
 //! | `own`              | what the instrument says of itself                             |
 //! | `outbox`           | which frames wait, which go when the bus takes none            |
+//! | `kept`             | what outlives power-off, and when each part of it is due      |
 //! | `rota`             | which faults are reported to a PC in one round                 |
 //!
 //! Until the vehicle is known the cluster decodes no message and the frames received are kept; until it is certain, and
@@ -26,6 +27,8 @@ use crate::chime::Chime;
 use crate::cluster::Cluster;
 use crate::driver::debounce::Debounce;
 use crate::driver::inputs::{Contacts, Inputs};
+use crate::kept::keeper::Keeper;
+use crate::kept::parts::{Bytes, Memory, Part};
 use crate::monitors::Options;
 use crate::own::{Conditions, Restart, Search};
 use crate::reception::Received;
@@ -77,6 +80,8 @@ pub struct Instrument {
     contacts: Option<Debounce>,
     outbox: Outbox,
     access: Access,
+    keeper: Keeper,
+    memory: Memory,
 }
 
 impl Instrument {
@@ -109,7 +114,48 @@ impl Instrument {
         access: Access,
     ) -> Self {
         let cluster = Cluster::with_options(vehicle, options);
-        Self { cluster, identification, restart: None, contacts: None, outbox: Outbox::new(), access }
+        Self {
+            cluster,
+            identification,
+            restart: None,
+            contacts: None,
+            outbox: Outbox::new(),
+            access,
+            keeper: Keeper::new(),
+            memory: Memory::New,
+        }
+    }
+
+    /// Goes on from a part that was kept over power-off; before the first tick, and before [`Self::resume`].
+    pub fn restore(&mut self, part: Part, bytes: &[u8]) {
+        self.keeper.restore(&mut self.cluster, part, bytes);
+    }
+
+    /// Takes note that every kept part has been restored, and how they were found: from now on parts are due. After
+    /// [`Self::restarted`].
+    pub fn resume(&mut self, memory: Memory) {
+        self.memory = memory;
+        self.keeper.begin(&mut self.cluster, memory, self.restart);
+        if let Some(Identification { detector, scan, heard: false }) = &mut self.identification
+            && detector.found().is_none()
+        {
+            self.access.bitrate = scan.expect(self.keeper.vehicle());
+        }
+    }
+
+    /// Takes note that nothing can be kept any more: it is said at the next start, if that can be read then.
+    pub const fn memory_failed(&mut self) {
+        self.memory = Memory::Damaged;
+    }
+
+    /// Returns the part that is to be kept next, with its bytes; once they are, [`Self::saved`] wants to know.
+    pub fn due(&self, now: Millis) -> Option<(Part, Bytes)> {
+        self.keeper.due(&self.cluster, self.may_send(now), now)
+    }
+
+    /// Takes note that a part is kept.
+    pub fn saved(&mut self, part: Part, bytes: &Bytes, now: Millis) {
+        self.keeper.saved_now(part, bytes, now);
     }
 
     /// Takes why the instrument has started, if it was a fault of its own: it says so for a while.
@@ -127,6 +173,7 @@ impl Instrument {
         if let Some(found) = detector.hear(frame, scan.bitrate(), at) {
             self.outbox.clear();
             self.cluster.recognise(found.vehicle);
+            self.keeper.recall(&mut self.cluster);
             // This frame is the last of them; in place of a certain vehicle it comes alone.
             let last = detector.take_kept().map(|(frame, at)| self.cluster.receive(&frame, at)).last();
             return last.or_else(|| Some(self.cluster.receive(frame, at)));
@@ -140,7 +187,13 @@ impl Instrument {
         let contacts = self.contacts.get_or_insert(Debounce::new(sample)).sample(sample);
         let search = self.search(now);
         let controller_missing = inputs.controller.is_some_and(|controller| controller.state.is_none());
-        self.cluster.know(Conditions { controller_missing, restart: self.restart, search });
+        let is_memory_damaged = self.memory == Memory::Damaged;
+        self.cluster.know(Conditions {
+            controller_missing,
+            restart: self.restart,
+            search,
+            is_memory_damaged,
+        });
         self.cluster.tick(&Inputs { contacts: Contacts::of_bits(contacts), ..*inputs }, now);
         self.access.may_send &= self.may_send(now);
         if !self.access.may_send {

@@ -9,6 +9,7 @@
 pub(crate) mod charge;
 pub(crate) mod odometer;
 
+use crate::kept::parts::{self, Bytes};
 use crate::view::page::Trip;
 use crate::view::{Charging, Journey, Plug, Range};
 use odometer::{LONGEST_STEP_MS, PER_KM};
@@ -86,6 +87,25 @@ impl Trips {
                 0.. => meter.used = meter.used.saturating_add(energy),
                 _ if is_charging => {}
                 _ => meter.regained = meter.regained.saturating_add(energy),
+            }
+        }
+    }
+
+    /// Returns what is to be kept of trip A and trip B: eight numbers of eight bytes.
+    pub(crate) fn kept(&self) -> Bytes {
+        let meters = [&self.a, &self.b].into_iter();
+        meters
+            .flat_map(|meter| [meter.way, meter.metered, meter.used, meter.regained])
+            .flat_map(u64::to_le_bytes)
+            .collect()
+    }
+
+    /// Goes on from what was kept, with what was driven since the start on top; missing numbers are zero.
+    pub(crate) fn resume(&mut self, bytes: &[u8]) {
+        let mut numbers = parts::numbers(bytes);
+        for meter in [&mut self.a, &mut self.b] {
+            for number in [&mut meter.way, &mut meter.metered, &mut meter.used, &mut meter.regained] {
+                *number = number.saturating_add(numbers.next().unwrap_or(0));
             }
         }
     }

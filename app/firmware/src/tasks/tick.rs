@@ -1,6 +1,7 @@
 //! Every 10 ms: frames and inputs to the instrument, frames, sounds and views out of it.
 //!
-//! A view goes out as soon as it looks different from the last one. Feeds the watchdog.
+//! A view goes out as soon as it looks different from the last one. What is to be kept goes into flash, one program a
+//! tick. Feeds the watchdog.
 
 use cluster::View;
 use pico::{Buzzer, Led, now_us};
@@ -103,6 +104,7 @@ pub async fn tick(cx: Context<'_>) {
             local.views_in.write(view);
             last = view;
         }
+        local.keeping.tick(&mut instrument, now);
         local.watch.tick();
         ticks = ticks.wrapping_add(1);
         next += PERIOD_MS.millis();

@@ -623,6 +623,15 @@ impl Mcp2515 {
         self.pursue(now, bus);
     }
 
+    /// The supply fails and comes back: registers are as after power-on, the node leaves the bus, the counters stay.
+    pub fn power_cycle(&mut self, now: Nanos, bus: &mut Bus) {
+        self.reset(now, bus);
+        self.instruction = Instruction::None;
+        self.reply = RELEASED;
+        self.selected_at = now;
+        self.last_byte_at = None;
+    }
+
     fn reset(&mut self, now: Nanos, bus: &mut Bus) {
         bus.set_mode(self.node, now, NodeMode::Off);
         bus.reset_errors(self.node);

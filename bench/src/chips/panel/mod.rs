@@ -191,6 +191,17 @@ impl Panel {
         panel
     }
 
+    /// The supply fails and comes back: the panel sleeps, its memory is noise, its counters and violations stay.
+    pub fn power_cycle(&mut self, now: Nanos) {
+        let Self { counters, violations, .. } = Self::new(self.config, now);
+        let kept = (
+            std::mem::replace(&mut self.counters, counters),
+            std::mem::replace(&mut self.violations, violations),
+        );
+        *self = Self::new(self.config, now);
+        (self.counters, self.violations) = kept;
+    }
+
     /// CS goes low (`true`) or high (`false`); a command goes on over CS pauses.
     pub fn select(&mut self, _now: Nanos, selected: bool) {
         if selected && !self.selected {

@@ -1,0 +1,143 @@
+//! What outlives power-off: from the parts that are due to the store in flash, one program or one slice of an erase a
+//! tick.
+//!
+//! At start the store is settled first, then every part is restored, then parts are due. A store that refuses is let go:
+//! the instrument says so and drives on.
+
+use cluster::kept::Bytes;
+use cluster::{Instrument, Memory, Part};
+use pico::FlashPort;
+use protocol_core::Millis;
+use rtic::Mutex;
+use store::{Condition, Error, MAX_PAYLOAD, Next, Store};
+
+use embedded_storage::nor_flash::NorFlashErrorKind;
+
+/// When the region is looked at, in milliseconds since start: the panel has been woken by then.
+const LOOK_MS: u64 = 20;
+/// Programs in one tick until everything is restored: the picture waits for it.
+const AT_START: u32 = 3;
+
+enum State {
+    /// Nothing has been looked at yet.
+    Waiting(FlashPort),
+    /// What counts is copied to where no cut can have hit it.
+    Settling,
+    Running,
+}
+
+/// The store, and what is under way in it.
+pub struct Keeping {
+    store: Option<Store<FlashPort>>,
+    state: State,
+    /// The part that is being kept.
+    pending: Option<(Part, Bytes)>,
+    /// The sector that is being erased, and whether that has begun.
+    erasing: Option<(u32, bool)>,
+}
+
+impl Keeping {
+    /// Takes the region; nothing is read yet.
+    pub const fn new(flash: FlashPort) -> Self {
+        Self { store: None, state: State::Waiting(flash), pending: None, erasing: None }
+    }
+
+    /// Does what takes one program or one slice of an erase; for every tick.
+    pub fn tick(&mut self, instrument: &mut impl Mutex<T = Instrument>, now: Millis) {
+        if let State::Waiting(_) = self.state {
+            if now.0 < LOOK_MS {
+                return;
+            }
+            if let State::Waiting(flash) = core::mem::replace(&mut self.state, State::Settling) {
+                self.store = Store::mount(flash).ok();
+            }
+        }
+        let steps = if matches!(self.state, State::Settling) { AT_START } else { 1 };
+        for _ in 0..steps {
+            if self.erase() {
+                return;
+            }
+            let next = match self.state {
+                State::Waiting(_) | State::Settling => self.settle(instrument),
+                State::Running => self.keep(instrument, now),
+            };
+            match next {
+                Ok(Next::Erase(offset)) => self.erasing = Some((offset, false)),
+                Ok(Next::Again) => {}
+                Ok(Next::Done) => return,
+                Err(_) => self.give_up(instrument),
+            }
+        }
+    }
+
+    /// Goes on with an erase; returns whether one is under way.
+    fn erase(&mut self) -> bool {
+        let (Some(store), Some((offset, has_begun))) = (&mut self.store, self.erasing) else { return false };
+        if store.flash_mut().erase_slice(offset, !has_begun) {
+            self.erasing = None;
+            // One that fails is found unready and erased again.
+            let _ = store.erased(offset);
+        } else {
+            self.erasing = Some((offset, true));
+        }
+        true
+    }
+
+    fn settle(
+        &mut self,
+        instrument: &mut impl Mutex<T = Instrument>,
+    ) -> Result<Next, Error<NorFlashErrorKind>> {
+        let Some(store) = &mut self.store else {
+            self.state = State::Running;
+            instrument.lock(|instrument| instrument.resume(Memory::Damaged));
+            return Ok(Next::Done);
+        };
+        let settled = store.settle();
+        let memory = match (settled, store.condition()) {
+            (Ok(Next::Again | Next::Erase(_)), _) => return settled,
+            (Ok(Next::Done), Condition::New) => Memory::New,
+            (Ok(Next::Done), Condition::Kept) => Memory::Kept,
+            // What can be read is restored all the same.
+            (Ok(Next::Done), Condition::Damaged | Condition::Newer(_)) | (Err(_), _) => Memory::Damaged,
+        };
+        for number in 1..=u8::MAX {
+            let Some(part) = Part::from_number(number) else { continue };
+            let mut bytes = [0; MAX_PAYLOAD];
+            if let Ok(Some(len)) = store.get(number, &mut bytes)
+                && let Some(bytes) = bytes.get(..len)
+            {
+                instrument.lock(|instrument| instrument.restore(part, bytes));
+            }
+        }
+        self.state = State::Running;
+        instrument.lock(|instrument| instrument.resume(memory));
+        settled
+    }
+
+    fn keep(
+        &mut self,
+        instrument: &mut impl Mutex<T = Instrument>,
+        now: Millis,
+    ) -> Result<Next, Error<NorFlashErrorKind>> {
+        let Some(store) = &mut self.store else { return Ok(Next::Done) };
+        if self.pending.is_none() {
+            self.pending = instrument.lock(|instrument| instrument.due(now));
+        }
+        let Some((part, bytes)) = &self.pending else { return store.prepare() };
+        let next = store.put(part.number(), bytes)?;
+        if next == Next::Done {
+            instrument.lock(|instrument| instrument.saved(*part, bytes, now));
+            self.pending = None;
+        }
+        Ok(next)
+    }
+
+    /// Nothing is kept from now on.
+    fn give_up(&mut self, instrument: &mut impl Mutex<T = Instrument>) {
+        self.store = None;
+        self.pending = None;
+        if let State::Running = self.state {
+            instrument.lock(Instrument::memory_failed);
+        }
+    }
+}
