@@ -406,7 +406,7 @@ fn probes(signal: &SignalInfo) -> BTreeSet<i64> {
 
 /// Where each received value shows.
 fn values() -> Result<String> {
-    let all: Vec<Tables> = Tables::all().filter(|tables| is_shipped(tables)).collect();
+    let all: Vec<Tables> = Tables::all().filter(is_shipped).collect();
     let found: Vec<faces::Faces> =
         all.iter().map(|tables| faces::of(*tables, &sources(*tables))).collect::<Result<_>>()?;
     for (tables, faces) in all.iter().zip(&found) {

@@ -213,7 +213,7 @@ impl Screen {
             match index {
                 ..FIRST_LABEL => self.picture.paint(WIDGETS[index].0, &mut row),
                 FIRST_LABEL..FIRST_ELEMENT => {
-                    self.picture.paint_label(&LABELS[index - FIRST_LABEL], &mut row)
+                    self.picture.paint_label(&LABELS[index - FIRST_LABEL], &mut row);
                 }
                 FIRST_ELEMENT.. => self.picture.paint_element(index - FIRST_ELEMENT, &mut row),
             }
