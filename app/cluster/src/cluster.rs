@@ -422,7 +422,7 @@ impl Cluster {
             limp: self.limp(),
             hv_off_s: self.timers.hv_off.countdown_s(now),
             page: self.page(now),
-            telltales: if self.start.is_bulb_check(now) { Telltales::ALL } else { self.lighting.lit() },
+            telltales: if self.start.is_bulb_check(now) { Telltales::ALL } else { self.lit() },
             is_power_limited: self.lighting.lit().is_lit(Telltale::PowerLimited),
             is_charge_low: self.lighting.lit().is_lit(Telltale::LowCharge),
             severity: self.faults.worst().max(line.map_or(Severity::None, |line| line.severity)),
@@ -444,6 +444,15 @@ impl Cluster {
             has_stopped: last.is_some_and(|last| now.since(last) >= STOPPED_MS) && !self.silent.is_empty(),
             is_doubled: self.reception.doubled(now).is_some(),
         }
+    }
+
+    /// Returns the lit telltales: fire is a battery fault, whatever the battery says of its level.
+    fn lit(&self) -> Telltales {
+        let mut lit = self.lighting.lit();
+        if self.faults.burns() {
+            lit.set(Telltale::BatteryFault, true);
+        }
+        lit
     }
 
     /// Returns what there is to tell while a plug is inserted.

@@ -7003,7 +7003,7 @@ static STATES_0: [i32; 16] = [INVALID, 1, 2, 11, 3, 12, 13, INVALID, 4, 14, 15, 
 
 static STATES_1: [i32; 4] = [1, 4, 3, 2];
 
-static STATES_2: [i32; 4] = [0, 0, 0, 1];
+static STATES_2: [i32; 4] = [INVALID, INVALID, 0, 1];
 
 static STATES_3: [i32; 8] = [0, 3, 2, 1, INVALID, INVALID, INVALID, INVALID];
 

@@ -1,8 +1,8 @@
 //! Which fault stands on the message line: many routes, one active set, one line.
 //!
-//! Owns the set of active faults; what makes each report is in `reading`. Only the highest severity
-//! present is shown; its faults take turns of one second in the order of `turns`. Silence clears what was harmless and keeps a STOP: only its route
-//! can take that back. Fire latches until power-off and takes over everything.
+//! Owns the set of active faults; what makes each report is in `reading`. Only the highest severity present is shown; its
+//! faults take turns of one second in the order of `turns`. Silence clears what was harmless and keeps a STOP: only its
+//! route can take that back. Fire latches until power-off and takes over the line; the list has it first.
 //!
 //! | what happens                        | what the set does                                              |
 //! |-------------------------------------|----------------------------------------------------------------|
@@ -12,6 +12,8 @@
 //! | the fault worsens                   | it moves up and sounds again                                   |
 //! | a level comes before its code       | the old code stands beside it until the next one comes         |
 //! | the sender falls silent             | STOP stays, the rest goes                                      |
+//! | the route says what nobody defined  | everything stays as it is: only a defined normal clears        |
+//! | a request for HV off comes further  | it sounds again, acknowledged or not                           |
 //! | the driver acknowledges             | the sound ends, the line stays                                 |
 //! | a fault is reported by two routes   | one line, one sound, one entry: those of the worse report      |
 //!
@@ -25,6 +27,7 @@ use super::turns::{REPORTERS, Reporter};
 use crate::chime::Sound;
 use crate::facts::Facts;
 use crate::monitors::Timers;
+use crate::monitors::hv_off::Phase;
 use crate::view::{ActiveFault, Line};
 use heapless::Vec;
 use protocol_core::Millis;
@@ -104,19 +107,26 @@ pub(crate) struct Faults {
     /// In the order of their turns.
     active: Vec<Fault, MOST>,
     turn: Option<Turn>,
-    /// Code by which fire was reported.
-    fire: Option<u16>,
+    /// Code by which fire was reported, and when.
+    fire: Option<(u16, Millis)>,
+    /// How far a request for high voltage off has come.
+    phase: Option<Phase>,
     history: History,
 }
 
 impl Faults {
     pub(crate) const fn new() -> Self {
-        Self { active: Vec::new(), turn: None, fire: None, history: History::new() }
+        Self { active: Vec::new(), turn: None, fire: None, phase: None, history: History::new() }
     }
 
     /// Latches fire if either route reports it (BUS-116); called for every frame, so that none is missed.
     pub(crate) fn watch_for_fire(&mut self, facts: &Facts<'_>) {
-        self.fire = self.fire.or_else(|| fire_code(facts));
+        if self.fire.is_none()
+            && let Some(code) = fire_code(facts)
+        {
+            self.fire = Some((code, facts.now));
+            self.history.came(FaultId::Fire, Some(code), Stop, facts.now);
+        }
     }
 
     /// Brings the active set up to date and gives the next line its turn.
@@ -128,9 +138,22 @@ impl Faults {
                 Report::Bits(bits) => self.report_bits(by, reporter, bits, facts),
                 Report::Clear => self.active.retain(|fault| fault.by != by),
                 Report::Unknown => self.active.retain(|fault| fault.by != by || fault.severity == Stop),
+                Report::Undefined => {}
             }
         }
+        self.follow(facts.timers.hv_off.phase(facts.now));
         self.take_turn(facts.now);
+    }
+
+    /// Lets a request for high voltage off sound again when it has come further: each phase is a fact of its own.
+    fn follow(&mut self, phase: Option<Phase>) {
+        if phase != self.phase && matches!(phase, Some(Phase::Overdue | Phase::Due)) {
+            let is_phased = |fault: &&mut Fault| {
+                fault.reporter().is_some_and(|by| matches!(by.row.words, Words::Phases(_)))
+            };
+            self.active.iter_mut().filter(is_phased).for_each(|fault| fault.heard = false);
+        }
+        self.phase = phase;
     }
 
     /// Takes the one fault that a route reports now; what it reported before stays only while it may be rotating.
@@ -272,8 +295,7 @@ impl Faults {
 
     /// Returns the message line.
     pub(crate) fn line(&self, vehicle: &Vehicle, timers: &Timers, now: Millis) -> Option<Line> {
-        if let Some(code) = self.fire {
-            let named = Named { code: Some(code), ..Named::of(FaultId::Fire) };
+        if let Some(named) = self.fire() {
             return Some(Line::of(named, Stop, vehicle));
         }
         let turn = self.turn?;
@@ -301,19 +323,36 @@ impl Faults {
         self.active.iter().any(|fault| fault.reporter().is_some_and(|by| limps(fault, by)))
     }
 
-    /// Returns how many faults are active.
-    pub(crate) fn count(&self) -> usize {
-        self.told().count()
+    /// Returns whether fire was reported since power-on.
+    pub(crate) fn burns(&self) -> bool {
+        self.fire.is_some()
     }
 
-    /// Returns every active fault, in the order of the table.
+    fn fire(&self) -> Option<Named> {
+        self.fire.map(|(code, _)| Named { code: Some(code), ..Named::of(FaultId::Fire) })
+    }
+
+    /// Returns how many faults are active.
+    pub(crate) fn count(&self) -> usize {
+        usize::from(self.burns()) + self.told().count()
+    }
+
+    /// Returns every active fault: fire, then in the order of the turns.
     pub(crate) fn active<'a>(
         &'a self,
         vehicle: &'a Vehicle,
         timers: &'a Timers,
         now: Millis,
     ) -> impl Iterator<Item = ActiveFault> + 'a {
-        self.told().filter_map(move |fault| {
+        let fire = self.fire.zip(self.fire()).map(|((_, first), named)| ActiveFault {
+            named,
+            code: named.printed_code(),
+            severity: Stop,
+            text: named.text(vehicle),
+            first,
+            count: 1,
+        });
+        let others = self.told().filter_map(move |fault| {
             let row = fault.reporter()?.row;
             let named = fault.named(row, vehicle, timers, now);
             Some(ActiveFault {
@@ -324,7 +363,8 @@ impl Faults {
                 first: fault.first,
                 count: self.history.find(row.fault, fault.code).map_or(1, |entry| entry.count),
             })
-        })
+        });
+        fire.into_iter().chain(others)
     }
 
     /// Returns what went wrong, to add what an earlier run has kept.

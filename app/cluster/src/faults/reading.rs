@@ -12,8 +12,10 @@ use protocol_core::model::{Severity, Shown, Value};
 
 /// What a route says now.
 pub(crate) enum Report {
-    /// Nothing that can be believed: silent, never heard or marked as not valid.
+    /// Nothing that can be believed: silent or never heard.
     Unknown,
+    /// The sender speaks, and says what its documents do not define or mark as not valid.
+    Undefined,
     /// No fault.
     Clear,
     /// A fault.
@@ -32,7 +34,10 @@ impl Reporter {
         let value_of = |value| facts.shown(value).value();
         let reports = match route.when {
             When::Bits(value) => {
-                return value_of(value).map_or(Report::Unknown, |bits| Report::Bits(bits.cast_unsigned()));
+                return match facts.shown(value) {
+                    Shown::Value(bits) => Report::Bits(bits.cast_unsigned()),
+                    missing => missing_report(missing),
+                };
             }
             When::Silent(node) => Some(facts.silent.has(node)),
             When::Level(value) => value_of(value).map(|level| level > 0),
@@ -47,11 +52,15 @@ impl Reporter {
             When::Fire(..) | When::Own => Some(false),
         };
         match reports {
-            None => Report::Unknown,
+            None => route.when.value().map_or(Report::Unknown, |value| missing_report(facts.shown(value))),
             Some(false) => Report::Clear,
             Some(true) => {
                 let code = route.code.and_then(|value| code_of(facts, value));
-                self.severity(facts, code).map_or(Report::Unknown, |severity| Report::Fault(severity, code))
+                let missing = || match route.grade {
+                    Grade::Level(level) => missing_report(facts.shown(level)),
+                    _ => Report::Unknown,
+                };
+                self.severity(facts, code).map_or_else(missing, |severity| Report::Fault(severity, code))
             }
         }
     }
@@ -89,6 +98,11 @@ impl Reporter {
     pub(crate) fn has_several(&self) -> bool {
         self.route.rotates || matches!(self.route.when, When::Bits(_))
     }
+}
+
+/// Returns what a value means that is not there.
+fn missing_report(shown: Shown<i32>) -> Report {
+    if shown == Shown::Invalid { Report::Undefined } else { Report::Unknown }
 }
 
 /// Returns the code by which a route reports fire now.

@@ -42,6 +42,16 @@ pub enum When {
     Own,
 }
 
+impl When {
+    /// Returns the one value that is looked at, if it is one.
+    pub(crate) const fn value(self) -> Option<Value> {
+        match self {
+            Self::Level(value) | Self::Code(value) | Self::Is(value, _) | Self::Bits(value) => Some(value),
+            _ => None,
+        }
+    }
+}
+
 /// How bad the report is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grade {
@@ -415,8 +425,8 @@ faults! {
     /// No communication with the contactor box.
     SilentContactors 73 "silent_contactors", Turn(470), one("高压控制盒通信中断", "No communication: contactors"), Silent, true:
         silent(Node::Contactors, Warn);
-    /// Fire in the battery, by either route (BUS-R079, BUS-116); the codes themselves are kept as those of their senders.
-    Fire 96 "fire", Over, one("火灾报警 立即停车疏散", "FIRE: stop, get everyone out"), Fire, false:
+    /// Fire in the battery, by either route (BUS-R079, BUS-116).
+    Fire 96 "fire", Over, one("火灾报警 立即停车疏散", "FIRE: stop, get everyone out"), Fire, true:
         fire(Node::Vcu, V::VehicleFaultCode), fire(Node::Bms, V::BatteryFaultCode);
     /// The CAN controller does not answer.
     NoController 128 "no_controller", Beside, one("CAN 控制器通信中断", "No CAN controller: check wiring"), Silent, false:

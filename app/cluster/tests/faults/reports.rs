@@ -2,7 +2,7 @@
 
 use crate::support::toy::*;
 use crate::support::*;
-use cluster::Telltale;
+use cluster::{Button, FaultId, Sound, Telltale};
 use protocol_core::Severity;
 
 #[test]
@@ -335,6 +335,24 @@ fn bus_68_the_line_tells_when_the_vehicle_and_when_the_battery_is_due() {
 }
 
 #[test]
+fn bus_68_an_acknowledged_request_sounds_again_with_each_phase() {
+    let mut drive = healthy();
+    let mut data = PACK_WELL;
+    data[6] = 0b11;
+    drive.repeat(PACK, data);
+    let start = drive.now;
+    for begins in [0, 5_000, 35_000] {
+        drive.run(start.after(begins + 2 * TICK).since(drive.now));
+        assert_eq!(drive.sound(), Some(Sound::Stop), "{begins} ms after the request");
+        drive.cluster.press(Button::Next, drive.now);
+        drive.run(1_000);
+        assert_eq!(drive.sound(), None, "acknowledged");
+    }
+    drive.run(60_000);
+    assert_eq!(drive.sound(), None, "nothing new");
+}
+
+#[test]
 fn bus_116_fire_by_either_route_takes_over_everything_until_power_off() {
     for route in ["vehicle", "battery"] {
         let mut drive = healthy();
@@ -355,6 +373,28 @@ fn bus_116_fire_by_either_route_takes_over_everything_until_power_off() {
         let view = drive.view();
         assert_eq!(drive.line(), Some(("FIRE: stop, get everyone out", Some(24))), "{route}: latched");
         assert_eq!((view.severity, view.line.map(|line| line.count)), (Severity::Stop, Some(1)));
+    }
+}
+
+#[test]
+fn bus_r079_fire_by_either_route_lights_its_telltale_and_stands_in_the_list_and_in_the_history() {
+    for route in ["vehicle", "battery"] {
+        let mut drive = healthy();
+        // The battery says its code in a message of its own; its level may say something else.
+        match route {
+            "vehicle" => drive.report(3, 24),
+            _ => drive.battery_report(0, 24),
+        }
+        drive.run(CYCLE);
+        drive.report(0, 0);
+        drive.battery_report(0, 0);
+        drive.run(60_000);
+        assert!(drive.view().telltales.is_lit(Telltale::BatteryFault), "{route}");
+        let active: Vec<_> = drive.cluster.active_faults(drive.now).collect();
+        let fire = active.first().expect("an active fault");
+        assert_eq!((fire.named.fault, fire.code, fire.severity), (FaultId::Fire, Some(24), Severity::Stop));
+        let entries = drive.cluster.history().filter(|entry| entry.fault == FaultId::Fire);
+        assert_eq!(entries.map(|entry| (entry.code, entry.count)).collect::<Vec<_>>(), [(Some(24), 1)]);
     }
 }
 

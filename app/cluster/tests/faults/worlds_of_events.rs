@@ -211,7 +211,10 @@ impl World {
     fn compare(&self, now: Millis) {
         let when = || format!("after {:?}", self.past);
         let cluster = &self.drive.cluster;
+        let fire = ("FIRE: stop, get everyone out", Some(FIRE_CODE as u16), Severity::Stop);
         let mut stated = stated(&self.moments);
+        // Once reported, by whatever route, fire is active until power-off.
+        stated.extend(self.said.fire.then_some(fire));
         stated.sort();
         let mut active: Vec<Line> =
             cluster.active_faults(now).map(|fault| (fault.text.en, fault.code, fault.severity)).collect();
@@ -220,7 +223,6 @@ impl World {
         let view = cluster.view(now);
         let line = view.line.map(|line| (line.text.en, line.code, line.severity));
         if self.said.fire {
-            let fire = ("FIRE: stop, get everyone out", Some(FIRE_CODE as u16), Severity::Stop);
             assert_eq!((view.severity, line), (Severity::Stop, Some(fire)), "BUS-116: {}", when());
             assert_eq!(cluster.chime(now).map(|chime| chime.sound), Some(Sound::Fire), "{}", when());
             return;

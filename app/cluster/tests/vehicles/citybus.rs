@@ -4,7 +4,7 @@
 
 use crate::support::*;
 use cluster::view::ActiveFault;
-use cluster::{Button, Cluster, Contacts, Inputs, Key, Received, Sound, Telltale, View};
+use cluster::{Button, Cluster, Contacts, FaultId, Inputs, Key, Received, Sound, Telltale, View};
 use protocol_core::generated::citybus::VEHICLE;
 use protocol_core::model::{Gear, Severity, Shown, Value};
 use protocol_core::{CanFrame, CanId, Millis};
@@ -236,6 +236,49 @@ fn bus_77_what_the_driver_has_acknowledged_sounds_again_only_if_the_other_route_
             let sound = ride.cluster.chime(ride.last()).map(|chime| chime.sound);
             let worse = (battery > vehicle).then(|| Severity::from_model(battery.into()));
             assert_eq!(sound, worse.and_then(sound_of), "battery {battery} after vehicle {vehicle}");
+        }
+    }
+}
+
+#[test]
+fn bus_67_bus_r065_what_nobody_defined_neither_withdraws_a_request_nor_starts_its_clock_anew() {
+    // Bits 4 and 3 of byte 7.
+    let asked = |request: u8| {
+        let mut data = PACK;
+        data[6] = request << 3;
+        data
+    };
+    for undefined in [0b00, 0b01] {
+        let mut ride = started();
+        assert_eq!(ride.hear(BMS1, asked(undefined)).hv_off_s, None, "{undefined:02b} asks for nothing");
+        assert_eq!(ride.hear(BMS1, asked(0b11)).hv_off_s, Some(35));
+        for _ in 0..20 {
+            ride.run(490);
+            let view = ride.hear(BMS1, asked(undefined));
+            assert_eq!(view.line.map(|line| line.named.fault), Some(FaultId::HvOff), "{undefined:02b}");
+            assert_eq!(view.severity, Severity::Stop);
+        }
+        assert_eq!(ride.hear(BMS1, asked(0b11)).hv_off_s, Some(25), "the battery's clock has run on");
+        assert_eq!(ride.hear(BMS1, asked(0b10)).hv_off_s, None, "only 10 withdraws");
+    }
+}
+
+#[test]
+fn bus_34_x_01_an_undefined_level_of_the_battery_neither_clears_nor_softens_what_it_said_before() {
+    // Bits 2 to 0 of byte 7: raw 1, 2, 3 = level 3, 2, 1; 4 to 7 are not defined. Nothing is asked for.
+    let level = |raw: u8| [0, 0, 0, 0, 0, 0, 0b10 << 3 | raw, 0];
+    for raw in 1..=3 {
+        for undefined in 4..=7 {
+            let mut ride = started();
+            let before = ride.hear(BMS1, level(raw));
+            assert!(before.severity > Severity::None, "raw {raw}");
+            for _ in 0..3 {
+                ride.run(490);
+                let after = ride.hear(BMS1, level(undefined));
+                assert_eq!(after.severity, before.severity, "raw {raw}, then {undefined}");
+                assert!(after.telltales.is_lit(Telltale::BatteryFault));
+            }
+            assert_eq!(ride.hear(BMS1, level(0)).severity, Severity::None, "a defined normal clears");
         }
     }
 }
