@@ -174,14 +174,23 @@ fn each_message_writes_under_its_own_index() {
 }
 
 #[test]
-fn unknown_inputs_are_sent_as_the_start_or_invalid_values_of_the_message() {
-    for Car { vehicle, messages, .. } in fleet() {
+fn unknown_inputs_are_sent_as_the_binding_says_or_as_the_invalid_or_start_values_of_the_message() {
+    for car in fleet() {
+        let Car { vehicle, messages, .. } = car;
+        let binding = car.binding();
+        // `SIGNAL = { ..., missing = RAW }`
+        let said = |signal: &str| {
+            let mut rows = binding.lines().filter(|line| line.starts_with(&format!("{signal} = {{")));
+            let raw = rows.find_map(|line| line.split_once("missing = "))?.1;
+            let digits: String = raw.chars().filter(|&c| c != '_').take_while(char::is_ascii_digit).collect();
+            digits.parse().ok()
+        };
         for (index, row) in vehicle.tx.iter().enumerate() {
             let info = messages.iter().find(|info| info.id == row.id).expect("a message of the DBC");
             let data = (vehicle.encode)(index as u8, &Readings::new());
             for signal in info.signals.iter().filter(|signal| signal.life.is_none()) {
                 let raw = signal.raw(&data);
-                let expected = signal.invalid_raw.unwrap_or(signal.start_raw);
+                let expected = said(signal.name).or(signal.invalid_raw).unwrap_or(signal.start_raw);
                 assert_eq!(raw, expected, "{}.{}.{}", vehicle.name, row.name, signal.name);
             }
         }

@@ -179,11 +179,11 @@ fn bus_63_the_life_counter_of_ipu1_is_the_high_nibble_of_byte_8() {
 }
 
 #[test]
-fn bus_67_only_11_asks_to_open_the_high_voltage_circuit() {
+fn bus_67_only_11_asks_to_open_the_high_voltage_circuit_and_only_10_does_not() {
     let asks = |raw| {
         value(BUS, "BMS1", citybus::Bms1::new().with_hv_open_request_raw(raw).0, Value::BatteryHvOffRequest)
     };
-    assert_eq!([0b00, 0b01, 0b10, 0b11].map(asks), [Some(0), Some(0), Some(0), Some(1)]);
+    assert_eq!([0b00, 0b01, 0b10, 0b11].map(asks), [None, None, Some(0), Some(1)]);
 }
 
 #[test]

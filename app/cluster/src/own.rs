@@ -114,7 +114,7 @@ impl Conditions {
         let severity = severity(named.fault);
         // What is no plain fact is why the cluster misses nodes.
         let is_cause = severity > Severity::None;
-        let is_doubt = self.search == Some(Search::Contradicted) || traffic.is_doubled;
+        let is_doubt = self.search == Some(Search::Contradicted);
         let has_turn = is_doubt && now.0 % TURN_MS >= TURN_MS - DOUBT_MS;
         match faults {
             Some(line) if !has_turn && line.severity > severity && !(is_cause && is_silence) => faults,

@@ -130,7 +130,7 @@ impl Reception {
             byte & life.mask
         });
         let Some(sign) = self.signs.get_mut(usize::from(index)) else { return };
-        if sign.senders.hear(message, life, now) {
+        if message.life.zip(life).is_some_and(|(life, count)| sign.senders.hear(life, count)) {
             self.doubled = Some((message.node, now));
         }
         self.heard = Some(now);

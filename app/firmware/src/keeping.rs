@@ -18,18 +18,13 @@ const LOOK_MS: u64 = 20;
 /// Programs in one tick until everything is restored: the picture waits for it.
 const AT_START: u32 = 3;
 
-enum State {
-    /// Nothing has been looked at yet.
-    Waiting(FlashPort),
-    /// What counts is copied to where no cut can have hit it.
-    Settling,
-    Running,
-}
-
 /// The store, and what is under way in it.
 pub struct Keeping {
+    /// Where the region is; `None` = it has been looked at.
+    flash: Option<FlashPort>,
     store: Option<Store<FlashPort>>,
-    state: State,
+    /// Everything that was kept has been restored; before that, what counts is copied to where no cut can have hit it.
+    is_settled: bool,
     /// The part that is being kept.
     pending: Option<(Part, Bytes)>,
     /// The sector that is being erased, and whether that has begun.
@@ -39,28 +34,23 @@ pub struct Keeping {
 impl Keeping {
     /// Takes the region; nothing is read yet.
     pub const fn new(flash: FlashPort) -> Self {
-        Self { store: None, state: State::Waiting(flash), pending: None, erasing: None }
+        Self { flash: Some(flash), store: None, is_settled: false, pending: None, erasing: None }
     }
 
     /// Does what takes one program or one slice of an erase; for every tick.
     pub fn tick(&mut self, instrument: &mut impl Mutex<T = Instrument>, now: Millis) {
-        if let State::Waiting(_) = self.state {
-            if now.0 < LOOK_MS {
-                return;
-            }
-            if let State::Waiting(flash) = core::mem::replace(&mut self.state, State::Settling) {
-                self.store = Store::mount(flash).ok();
-            }
+        if now.0 < LOOK_MS {
+            return;
         }
-        let steps = if matches!(self.state, State::Settling) { AT_START } else { 1 };
+        if let Some(flash) = self.flash.take() {
+            self.store = Store::mount(flash).ok();
+        }
+        let steps = if self.is_settled { 1 } else { AT_START };
         for _ in 0..steps {
             if self.erase() {
                 return;
             }
-            let next = match self.state {
-                State::Waiting(_) | State::Settling => self.settle(instrument),
-                State::Running => self.keep(instrument, now),
-            };
+            let next = if self.is_settled { self.keep(instrument, now) } else { self.settle(instrument) };
             match next {
                 Ok(Next::Erase(offset)) => self.erasing = Some((offset, false)),
                 Ok(Next::Again) => {}
@@ -88,7 +78,7 @@ impl Keeping {
         instrument: &mut impl Mutex<T = Instrument>,
     ) -> Result<Next, Error<NorFlashErrorKind>> {
         let Some(store) = &mut self.store else {
-            self.state = State::Running;
+            self.is_settled = true;
             instrument.lock(|instrument| instrument.resume(Memory::Damaged));
             return Ok(Next::Done);
         };
@@ -109,7 +99,7 @@ impl Keeping {
                 instrument.lock(|instrument| instrument.restore(part, bytes));
             }
         }
-        self.state = State::Running;
+        self.is_settled = true;
         instrument.lock(|instrument| instrument.resume(memory));
         settled
     }
@@ -136,7 +126,7 @@ impl Keeping {
     fn give_up(&mut self, instrument: &mut impl Mutex<T = Instrument>) {
         self.store = None;
         self.pending = None;
-        if let State::Running = self.state {
+        if self.is_settled {
             instrument.lock(Instrument::memory_failed);
         }
     }

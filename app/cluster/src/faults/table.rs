@@ -445,7 +445,7 @@ faults! {
     /// One message comes from two senders.
     TwoSenders 134 "two_senders", Beside, one("总线报文冲突", "One message, two senders"), Silent, false: own(Warn);
     /// What was kept over power-off cannot be read or written.
-    Memory 135 "memory", Beside, one("仪表存储故障", "Stored data lost: odometer unknown"), Silent, false: own(Warn);
+    Memory 135 "memory", Beside, one("仪表存储故障", "Stored data lost"), Silent, false: own(Warn);
 }
 
 impl FaultId {
