@@ -15,6 +15,8 @@ use embedded_storage::nor_flash::NorFlashErrorKind;
 
 /// When the region is looked at, in milliseconds since start: the panel has been woken by then.
 const LOOK_MS: u64 = 20;
+/// Time between two looks at what is due, in milliseconds: 3 m at 100 km/h.
+const EVERY_MS: u64 = 100;
 /// Programs in one tick until everything is restored: the picture waits for it.
 const AT_START: u32 = 3;
 
@@ -25,6 +27,8 @@ pub struct Keeping {
     store: Option<Store<FlashPort>>,
     /// Everything that was kept has been restored; before that, what counts is copied to where no cut can have hit it.
     is_settled: bool,
+    /// When it was last looked at what is due.
+    looked: Millis,
     /// The part that is being kept.
     pending: Option<(Part, Bytes)>,
     /// The sector that is being erased, and whether that has begun.
@@ -34,7 +38,14 @@ pub struct Keeping {
 impl Keeping {
     /// Takes the region; nothing is read yet.
     pub const fn new(flash: FlashPort) -> Self {
-        Self { flash: Some(flash), store: None, is_settled: false, pending: None, erasing: None }
+        Self {
+            flash: Some(flash),
+            store: None,
+            is_settled: false,
+            looked: Millis(0),
+            pending: None,
+            erasing: None,
+        }
     }
 
     /// Does what takes one program or one slice of an erase; for every tick.
@@ -110,7 +121,12 @@ impl Keeping {
         now: Millis,
     ) -> Result<Next, Error<NorFlashErrorKind>> {
         let Some(store) = &mut self.store else { return Ok(Next::Done) };
+        // To look at every part takes longer than a tick has to give each time.
         if self.pending.is_none() {
+            if now.since(self.looked) < EVERY_MS {
+                return Ok(Next::Done);
+            }
+            self.looked = now;
             self.pending = instrument.lock(|instrument| instrument.due(now));
         }
         let Some((part, bytes)) = &self.pending else { return store.prepare() };
