@@ -630,7 +630,8 @@ impl<B: Board> Rp2040<B> {
 
     fn handle_board(&mut self, at: u64) {
         let at = self.board_time(at);
-        let wanted = self.board_wants;
+        // The clock may have changed since the cycle was worked out: it is anew, even for the same instant.
+        let wanted = self.board_wants.take();
         self.board.advance(at, &mut self.inputs);
         self.after_board();
         if self.board_wants.is_some() && self.board_wants <= wanted {
