@@ -33,8 +33,16 @@ const GENERATED: &str = "protocol-core/src/generated";
 /// Test programs that take long and reach nothing that others do not: the day on a full bus, millions of frames.
 const PROGRAMS_LEFT_OUT: [&str; 2] = ["day", "codec_witness"];
 /// Beginnings of such tests: whole worlds, hours of driving; with counters they take minutes.
-const TESTS_LEFT_OUT: [&str; 4] =
-    ["worlds::", "odometer::the_slowest", "trips::any_division", "after_a_bus_off"];
+const TESTS_LEFT_OUT: [&str; 5] = [
+    "worlds_of",
+    "odometer::the_slowest",
+    "trips::any_division",
+    "after_a_bus_off",
+    "liveness::a_healthy_vehicle",
+];
+
+/// Lines that no test reaches yet, by file; a number may only fall.
+const OPEN: &[(&str, usize)] = &[];
 
 /// How often something was executed, by place; of several instances of a generic function the most.
 type Counts<Place> = BTreeMap<Place, u64>;
@@ -304,15 +312,22 @@ fn check(modules: &BTreeMap<String, Module>) -> Result<()> {
             "nothing of {WHOLE} was measured: remove the folder `coverage` of the target folder and run again"
         );
     }
-    let missed: Vec<String> = whole
-        .flat_map(|(name, module)| module.missed_lines().map(move |line| format!("{name}:{line}")))
-        .collect();
-    if missed.is_empty() {
-        return Ok(());
+    let mut wrong = Vec::new();
+    for (name, module) in whole {
+        let missed: Vec<String> = module.missed_lines().map(|line| line.to_string()).collect();
+        let open = OPEN.iter().find(|(file, _)| name.ends_with(file)).map_or(0, |(_, count)| *count);
+        if missed.len() > open {
+            wrong.push(format!(
+                "{name}: no test reaches line {}: write one, or take it out",
+                missed.join(", ")
+            ));
+        } else if missed.len() < open {
+            wrong.push(format!("{name} has {} lines without a test: lower its row in OPEN", missed.len()));
+        }
     }
-    bail!(
-        "{} lines of {WHOLE} are reached by no test: write one that fails without them, or take them out:\n       {}",
-        missed.len(),
-        missed.join("\n       ")
-    )
+    if wrong.is_empty() {
+        Ok(())
+    } else {
+        bail!("{}\n       (xtask/src/coverage.rs)", wrong.join("\n       "))
+    }
 }
