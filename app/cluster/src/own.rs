@@ -125,13 +125,8 @@ impl Conditions {
 
 /// Returns how bad a fault is that is as bad always.
 fn severity(fault: FaultId) -> Severity {
-    match fault.row().routes {
-        [route, ..] => match route.grade {
-            Grade::Always(severity) => severity,
-            _ => Severity::None,
-        },
-        [] => Severity::None,
-    }
+    let grade = fault.row().routes.first().map(|route| route.grade);
+    if let Some(Grade::Always(severity)) = grade { severity } else { Severity::None }
 }
 
 #[cfg(test)]

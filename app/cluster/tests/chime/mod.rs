@@ -239,3 +239,10 @@ fn a_sound_begins_with_a_tone_and_keeps_its_rhythm() {
     drive.run(u64::from(chime.off_ms));
     assert_eq!(drive.cluster.chime(drive.now).map(|chime| chime.is_on), Some(true));
 }
+
+#[test]
+fn every_sound_has_a_public_name_and_no_two_the_same() {
+    let keys: std::collections::BTreeSet<_> = Sound::ALL.iter().map(|sound| sound.key()).collect();
+    assert_eq!(keys.len(), Sound::ALL.len());
+    assert!(keys.iter().all(|key| key.chars().all(|one| one.is_ascii_lowercase())), "{keys:?}");
+}
