@@ -77,6 +77,10 @@ fn compare(python: &Path, kind: Kind) {
         frames.insert(number);
         values += 1;
         let Some((_, truth)) = facts[number].iter().find(|(name, _)| *name == signal) else { continue };
+        // What its sender has not heard yet is not true and not false.
+        if truth.is_nan() {
+            continue;
+        }
         let (half, low, high) = step_of(kind, message, signal);
         let value: f64 = value.parse().unwrap_or_else(|_| panic!("{message}.{signal} is not available"));
         let truth = truth.clamp(low, high);

@@ -39,8 +39,7 @@ const WIRED: [Value; 8] = [
 
 #[test]
 fn the_page_on_wiring_says_what_goes_out_when_nothing_is_known() {
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/wiring.md");
-    let page = std::fs::read_to_string(page).expect("the page");
+    let page = include_str!("../../../../docs/wiring.md");
     let page = page.split_once("| message | bytes |\n| --- | --- |\n").expect("its table").1;
     let said: Vec<&str> = page.lines().take_while(|line| line.starts_with('|')).collect();
     let mut stated = Vec::new();
