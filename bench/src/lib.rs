@@ -12,7 +12,6 @@ pub mod flash;
 pub mod join;
 pub mod latency;
 pub mod log;
-pub mod page;
 pub mod pins;
 pub mod printable;
 pub mod recent;

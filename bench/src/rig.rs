@@ -135,7 +135,11 @@ impl Rig {
     /// # Errors
     /// If the file is not an image for the RP2040; the error names it and says why.
     pub fn new(elf: &Path, options: &RigOptions) -> Result<Self> {
-        let flash = image::load_elf(elf)?;
+        Ok(Self::with_flash(image::load_elf(elf)?, options))
+    }
+
+    /// The same with this image of the flash, as [`image::flash_from_elf`] makes it of an ELF.
+    pub fn with_flash(flash: Vec<u8>, options: &RigOptions) -> Self {
         let can = mcp2515::Config { crystal_hz: options.crystal_hz, ..mcp2515::Config::default() };
         let panel = match options.panel {
             PanelKind::Ili9341 => panel::Config::ILI9341,
@@ -146,7 +150,7 @@ impl Rig {
         let node = board.bus_mut().attach("logger");
         let cluster = board.mcp2515().node();
         board.join(Logger { node, cluster, last_sent: None, heard: Arc::clone(&heard) });
-        Ok(Self {
+        Self {
             chip: Rp2040::new(flash, board),
             heard,
             decoder: Decoder::new(),
@@ -162,7 +166,7 @@ impl Rig {
             babbler: None,
             members: Members::default(),
             turn_due: Nanos::ZERO,
-        })
+        }
     }
 
     /// Puts a vehicle around the cluster: each of its nodes is a node of the bus, and hears what is on it, whoever sent it.

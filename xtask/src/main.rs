@@ -39,6 +39,7 @@ mod rules;
 mod run;
 mod scenario;
 mod screens;
+mod site;
 mod steps;
 mod store;
 mod tasks;
@@ -115,6 +116,8 @@ enum Command {
     Tasks(tasks::Options),
     /// Measures the firmware on the bench and prints the figures that the README quotes.
     Figures(figures::Options),
+    /// Builds the bench as a page that needs no server: a static folder, or one HTML file
+    Site(site::Options),
     /// Cuts the power at every byte of a life of the store, and again in every recovery, and compares what is kept.
     Cuts(cuts::Options),
     /// Prints what a cluster keeps over power-off, out of an image of its flash; a workshop sets the odometer here.
@@ -176,6 +179,7 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Layers => layers::run(),
         Command::Tasks(options) => tasks::run(&options),
         Command::Figures(options) => figures::run(&options),
+        Command::Site(options) => site::run(&options),
         Command::Cuts(options) => cuts::run(&options),
         Command::Store(options) => store::run(&options),
         Command::Doctor => doctor::run(),

@@ -37,7 +37,16 @@ impl Picture {
     ///
     /// When the file cannot be read or is another kind of picture.
     pub fn read_png(path: &Path) -> io::Result<Self> {
-        let mut reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
+        Self::from_png(BufReader::new(File::open(path)?))
+    }
+
+    /// The same from the bytes of such a file.
+    ///
+    /// # Errors
+    ///
+    /// When it is another kind of picture.
+    pub fn from_png(file: impl io::BufRead + io::Seek) -> io::Result<Self> {
+        let mut reader = png::Decoder::new(file).read_info()?;
         let other = || io::Error::new(io::ErrorKind::InvalidData, "not RGB with eight bits per colour");
         let mut rgb = vec![0; reader.output_buffer_size().ok_or_else(other)?];
         let info = reader.next_frame(&mut rgb)?;

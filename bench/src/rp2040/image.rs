@@ -99,6 +99,11 @@ pub fn load_elf(file: &Path) -> Result<Vec<u8>, ImageError> {
     flash_from_elf(&bytes).map_err(fail)
 }
 
+/// Returns what is wrong with a file of this name, in words for a person.
+pub fn told(file: &str, problem: Problem) -> String {
+    ImageError { file: file.into(), problem }.to_string()
+}
+
 /// The flash image inside the bytes of an ELF.
 ///
 /// # Errors

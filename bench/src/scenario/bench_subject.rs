@@ -9,23 +9,32 @@ use super::sound::{self, LONGEST_PAUSE_MS};
 use super::{Action, Answer, BusFault, Name, Place, Subject};
 use crate::chips::picture::Picture;
 use crate::rig::{Rig, RigOptions};
+use crate::rp2040::image;
 use crate::time::Nanos;
 use anyhow::{Context, Result};
 use cluster::Button;
 use protocol_core::link::Screen;
 use protocol_core::model::{Gear, Severity};
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use virtual_vehicle::{Kind, Options, VirtualVehicle};
 
 /// Where pictures are and what becomes of them.
 #[derive(Clone, Debug)]
-pub struct Pictures {
-    /// The golden ones.
-    golden: PathBuf,
-    /// Where one that differs is written to.
-    actual: PathBuf,
-    /// What is shown becomes the golden picture.
-    bless: bool,
+pub struct Pictures(Golden);
+
+#[derive(Clone, Debug)]
+enum Golden {
+    Files {
+        /// The golden ones.
+        golden: PathBuf,
+        /// Where one that differs is written to.
+        actual: PathBuf,
+        /// What is shown becomes the golden picture.
+        bless: bool,
+    },
+    /// PNG files by name, where there are no folders.
+    Known(Vec<(String, Vec<u8>)>),
 }
 
 impl Pictures {
@@ -33,7 +42,38 @@ impl Pictures {
     /// with `bless`, what is shown becomes the golden one.
     pub fn of(kind: Kind, actual: &Path, bless: bool) -> Self {
         let golden = super::folder().join(kind.name()).join("pictures");
-        Self { golden, actual: actual.join(kind.name()), bless }
+        Self(Golden::Files { golden, actual: actual.join(kind.name()), bless })
+    }
+
+    /// These PNG files, by name, are the golden pictures; one that differs is kept nowhere.
+    pub fn known(files: Vec<(String, Vec<u8>)>) -> Self {
+        Self(Golden::Known(files))
+    }
+
+    fn blesses(&self) -> bool {
+        matches!(self.0, Golden::Files { bless: true, .. })
+    }
+
+    /// Returns the golden picture; with `bless` it is what is shown.
+    fn golden(&self, file: &str, shown: &Picture) -> Option<Picture> {
+        match &self.0 {
+            Golden::Files { golden, bless: true, .. } => {
+                write_picture(&golden.join(file), shown).ok().map(|()| shown.clone())
+            }
+            Golden::Files { golden, .. } => Picture::read_png(&golden.join(file)).ok(),
+            Golden::Known(files) => {
+                let (_, png) = files.iter().find(|(name, _)| name == file)?;
+                Picture::from_png(Cursor::new(png)).ok()
+            }
+        }
+    }
+
+    /// Keeps a picture that differs, where there is a place, and says where.
+    fn keep(&self, file: &str, shown: &Picture) -> String {
+        let Golden::Files { actual, .. } = &self.0 else { return String::new() };
+        let path = actual.join(file);
+        let _ = write_picture(&path, shown);
+        format!(", see {}", path.display())
     }
 }
 
@@ -57,11 +97,16 @@ impl BenchSubject {
     /// # Errors
     /// If the file is not an image for the board.
     pub fn new(elf: &Path, kind: Kind, options: Options, pictures: Pictures) -> Result<Self> {
+        Ok(Self::with_flash(image::load_elf(elf)?, kind, options, pictures))
+    }
+
+    /// The same with this image of the flash.
+    pub fn with_flash(flash: Vec<u8>, kind: Kind, options: Options, pictures: Pictures) -> Self {
         let usual = RigOptions::default();
         let bitrate = super::vehicle(kind).map_or(usual.bitrate, |vehicle| vehicle.bitrate);
-        let mut rig = Rig::new(elf, &RigOptions { bitrate, ..usual })?;
+        let mut rig = Rig::with_flash(flash, &RigOptions { bitrate, ..usual });
         rig.drive(VirtualVehicle::new(kind, options));
-        Ok(Self { rig, pictures, sent: Transmitted::default(), heard: 0, golden: Vec::new() })
+        Self { rig, pictures, sent: Transmitted::default(), heard: 0, golden: Vec::new() }
     }
 
     /// The bench, to look at more than a scenario can name.
@@ -75,15 +120,10 @@ impl BenchSubject {
         let Some(shown) = self.rig.board().panel().visible(now) else { return Answer::word("a dark panel") };
         if !self.golden.iter().any(|(name, _)| name == file) {
             let drawing = self.rig.board().panel().last_write().is_some_and(|at| now.since(at) < QUIET);
-            if self.pictures.bless && drawing {
+            if self.pictures.blesses() && drawing {
                 return Answer::word("half a picture");
             }
-            let path = self.pictures.golden.join(file);
-            let golden = if self.pictures.bless {
-                write_picture(&path, &shown).ok().map(|()| shown.clone())
-            } else {
-                Picture::read_png(&path).ok()
-            };
+            let golden = self.pictures.golden(file, &shown);
             self.golden.push((file.to_owned(), golden));
         }
         let golden =
@@ -93,9 +133,8 @@ impl BenchSubject {
             Some(golden) => {
                 let pixels = golden.rgb.chunks(3).zip(shown.rgb.chunks(3));
                 let differing = pixels.filter(|(golden, shown)| golden != shown).count();
-                let actual = self.pictures.actual.join(file);
-                let _ = write_picture(&actual, &shown);
-                Answer::Word(format!("{differing} other pixels, see {}", actual.display()))
+                let where_it_is = self.pictures.keep(file, &shown);
+                Answer::Word(format!("{differing} other pixels{where_it_is}"))
             }
             None => Answer::word("a picture that is not there to compare with: --bless takes what is shown"),
         }

@@ -3,13 +3,15 @@
 //! Time goes in steps of 10 ms. What is looked at is written down with its time; the verdict is reached afterwards,
 //! because a sound is only known in hindsight. What a step does at some instant, happens before anything is looked at.
 
+use serde::{Deserialize, Serialize};
+
 use super::{Answer, Demand, Name, Scenario, Subject, Wanted};
 
 /// Time from one look to the next, in milliseconds: the cluster's own tick.
 const LOOK_MS: u64 = 10;
 
 /// What became of one expectation.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
     /// Line in the file.
     pub line: usize,
@@ -24,7 +26,7 @@ pub struct Check {
 }
 
 /// What became of a scenario.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// Every expectation that this subject can answer, in the order of the file.
     pub checks: Vec<Check>,

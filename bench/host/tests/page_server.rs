@@ -1,10 +1,11 @@
 //! The server of the page, asked as a browser, a tool or a foreign site would: what it answers, tells and refuses.
 
+#[path = "../../tests/firmware/mod.rs"]
 mod firmware;
 
-use bench::page::{Server, Start};
 use bench::rig::{Rig, RigOptions};
 use bench::scenario::{Name, load};
+use bench_host::{Server, Start};
 use protocol_core::generated::VEHICLES;
 use serde_json::{Value, json};
 use std::io::{Read, Write};

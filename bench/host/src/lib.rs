@@ -1,34 +1,31 @@
-//! The page of a running bench: the panel, the vehicle around it, the bus, in a browser.
+//! The server of the bench's page: one bench on a thread of its own, one page for any number of browsers of this machine.
 //!
-//! [`Server`] puts one bench on a thread of its own ([`session`]) and serves one self-contained page to any number of
-//! browsers of this machine ([`serve`]; [`gate`] says whom). [`catalog`] is what there is to change and to read, [`live`]
-//! what is told while it runs, [`pace`] how virtual time follows the wall clock, [`trace`] the bus, [`recording`] what is
-//! kept, [`screens`] pictures of the panel, [`scenes`] stories that play. The page itself is three files without a build
-//! step: `page.html`, `page.css`, `page.js`.
+//! [`Server`] runs the session of the page ([`bench_page`]) on a thread and serves it ([`serve`]; [`gate`] says whom);
+//! [`judge`] judges scenarios on another thread, [`screens`] makes pictures for whoever asks.
 
-mod beside;
-mod catalog;
+#![forbid(unsafe_code)]
+
 mod gate;
-mod live;
-mod pace;
-mod recording;
-mod scenes;
+mod judge;
 mod screens;
 mod serve;
-mod session;
-mod trace;
-mod wires;
 
-use crate::rig::Rig;
 use anyhow::{Context, Result, anyhow};
-use session::{Beginning, Latest, Session};
+use bench::rig::Rig;
+use bench::scenario;
+use bench_page::{Beginning, Command, Judge, Library, Session, Update};
+use judge::JudgeThread;
+use serve::{Latest, Told};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
-use std::sync::mpsc;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, TryRecvError};
 use std::thread::JoinHandle;
+use std::time::Instant;
 use tokio::sync::{broadcast, oneshot, watch};
 use virtual_vehicle::Kind;
 
+/// Commands that are obeyed between two slices.
+const COMMANDS_PER_SLICE: usize = 64;
 /// Updates that wait for a page that is slow.
 const UPDATES_KEPT: usize = 64;
 
@@ -75,20 +72,24 @@ impl Server {
         let (updates, _) = broadcast::channel(UPDATES_KEPT);
         let (commands, given) = mpsc::channel();
         let (ready, is_ready) = mpsc::channel();
+        let judge = start.elf.map(JudgeThread::of_firmware).transpose()?;
+        let clock = Instant::now();
+        let tell_pages = updates.clone();
         let beginning = Beginning {
             make: Box::new(make),
             vehicle: start.vehicle,
             recording: start.recording,
             notes: start.notes,
-            elf: start.elf,
-            latest,
-            updates: updates.clone(),
+            library: library(),
+            judge: judge.map(|judge| Box::new(judge) as Box<dyn Judge>),
+            clock: Box::new(move || clock.elapsed()),
+            tell: Box::new(move |update| tell(update, &latest, &tell_pages)),
         };
         let bench = std::thread::Builder::new().name("bench".into()).spawn(move || {
             match Session::new(beginning) {
-                Ok(session) => {
+                Ok(mut session) => {
                     let _ = ready.send(Ok(()));
-                    session.run(&given);
+                    run(&mut session, &given);
                 }
                 Err(error) => {
                     let _ = ready.send(Err(error));
@@ -97,7 +98,7 @@ impl Server {
         })?;
         is_ready.recv().context("the bench ended while it was built")??;
 
-        let screens = screens::Screens::new(recording::png);
+        let screens = screens::Screens::new(bench_page::png);
         let shared = serve::Shared { commands, latest: to_newcomers, updates, screens };
         let routes = serve::routes(shared, address.port());
         let (end, ended) = oneshot::channel();
@@ -140,4 +141,61 @@ impl Drop for Server {
             let _ = bench.join();
         }
     }
+}
+
+/// Runs until nobody can ask any more.
+fn run(session: &mut Session, commands: &Receiver<Command>) {
+    loop {
+        for _ in 0..COMMANDS_PER_SLICE {
+            match commands.try_recv() {
+                Ok(command) => session.take(command),
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => return,
+            }
+        }
+        let nap = session.turn();
+        if nap.is_zero() {
+            continue;
+        }
+        match commands.recv_timeout(nap) {
+            Ok(command) => session.take(command),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => return,
+        }
+    }
+}
+
+/// Keeps what a page must know that comes later, and tells those that are there.
+fn tell(update: Update, latest: &watch::Sender<Latest>, pages: &broadcast::Sender<Told>) {
+    let told = match update {
+        Update::Catalog(text) => {
+            latest.send_modify(|latest| latest.catalog = text.clone());
+            Told::Text(text)
+        }
+        Update::Text(text) => Told::Text(text),
+        Update::Picture(shown) => {
+            let Ok(png) = bench_page::png(&shown, 1) else { return };
+            let png = axum::body::Bytes::from(png);
+            latest.send_modify(|latest| (latest.picture, latest.shown) = (png.clone(), Some(shown)));
+            Told::Picture(png)
+        }
+        Update::Recorded(recording) => {
+            latest.send_modify(|latest| latest.recorded = recording);
+            return;
+        }
+    };
+    // Without a page nobody listens.
+    let _ = pages.send(told);
+}
+
+/// The scenarios of the source tree.
+fn library() -> Library {
+    Library::new(|kind| {
+        let files = scenario::files(kind).unwrap_or_default();
+        let named = files.iter().filter_map(|path| {
+            let name = format!("{}/{}", kind.name(), path.file_name()?.to_str()?);
+            Some((name, std::fs::read_to_string(path).ok()?))
+        });
+        named.collect()
+    })
 }

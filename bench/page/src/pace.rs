@@ -3,11 +3,11 @@
 //! Owns pause, single steps and the factor, and says when the next slice is due. Pure: the wall clock is an argument. A
 //! machine that cannot keep up loses wall time instead of rushing after it later.
 
-use crate::time::Nanos;
+use bench::time::Nanos;
 use std::time::Duration;
 
 /// Virtual time that passes between two looks at the page's commands.
-pub(super) const SLICE: Nanos = Nanos::from_millis(10);
+pub(crate) const SLICE: Nanos = Nanos::from_millis(10);
 /// Largest factor that may be asked for; above it only "as fast as possible" makes sense.
 const FACTOR_MAX: f64 = 100.0;
 /// Virtual seconds by which the engine may be behind before the rest is given up.
@@ -19,7 +19,7 @@ const FADE_SECONDS: f64 = 1.0;
 
 /// Virtual time against the wall clock.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pace {
+pub(crate) struct Pace {
     paused: bool,
     /// Slices that may pass while paused.
     steps: u32,
@@ -37,7 +37,7 @@ pub(super) struct Pace {
 
 impl Pace {
     /// Real time from now on.
-    pub(super) fn new(now: Nanos, wall: Duration) -> Self {
+    pub(crate) fn new(now: Nanos, wall: Duration) -> Self {
         Self {
             paused: false,
             steps: 0,
@@ -50,36 +50,36 @@ impl Pace {
     }
 
     /// The same pace for a bench whose time starts again.
-    pub(super) fn restart(&mut self, now: Nanos, wall: Duration) {
+    pub(crate) fn restart(&mut self, now: Nanos, wall: Duration) {
         (self.since, self.measured, self.spent) = ((now, wall), (now, wall), (0.0, 0.0));
     }
 
-    pub(super) fn pause(&mut self, on: bool, now: Nanos, wall: Duration) {
+    pub(crate) fn pause(&mut self, on: bool, now: Nanos, wall: Duration) {
         (self.paused, self.steps, self.since) = (on, 0, (now, wall));
     }
 
     /// Lets `slices` slices pass, then stands still.
-    pub(super) fn step(&mut self, slices: u32) {
+    pub(crate) fn step(&mut self, slices: u32) {
         (self.paused, self.steps) = (true, slices);
     }
 
     /// Virtual seconds per second, 0 = as fast as possible; what is not a number changes nothing.
-    pub(super) fn set_factor(&mut self, factor: f64, now: Nanos, wall: Duration) {
+    pub(crate) fn set_factor(&mut self, factor: f64, now: Nanos, wall: Duration) {
         if factor.is_finite() {
             (self.factor, self.since) = (factor.clamp(0.0, FACTOR_MAX), (now, wall));
         }
     }
 
-    pub(super) fn is_paused(&self) -> bool {
+    pub(crate) fn is_paused(&self) -> bool {
         self.paused
     }
 
-    pub(super) fn factor(&self) -> f64 {
+    pub(crate) fn factor(&self) -> f64 {
         self.factor
     }
 
     /// Returns whether a slice may pass now.
-    pub(super) fn is_due(&mut self, now: Nanos, wall: Duration) -> bool {
+    pub(crate) fn is_due(&mut self, now: Nanos, wall: Duration) -> bool {
         if self.paused {
             return self.steps > 0;
         }
@@ -95,7 +95,7 @@ impl Pace {
     }
 
     /// Returns how long there is nothing to do.
-    pub(super) fn nap(&self, now: Nanos, wall: Duration) -> Duration {
+    pub(crate) fn nap(&self, now: Nanos, wall: Duration) -> Duration {
         if self.paused || self.factor == 0.0 {
             return NAP_MAX;
         }
@@ -104,7 +104,7 @@ impl Pace {
     }
 
     /// A slice has passed in `engine` time.
-    pub(super) fn passed(&mut self, engine: Duration) {
+    pub(crate) fn passed(&mut self, engine: Duration) {
         self.steps = self.steps.saturating_sub(1);
         self.spent.0 += SLICE.as_secs_f64();
         self.spent.1 += engine.as_secs_f64();
@@ -114,12 +114,12 @@ impl Pace {
     }
 
     /// Virtual seconds that the engine makes of one second of its thread, of late.
-    pub(super) fn capability(&self) -> f64 {
+    pub(crate) fn capability(&self) -> f64 {
         self.spent.0 / self.spent.1.max(1e-9)
     }
 
     /// Virtual seconds that passed in one second, smoothed.
-    pub(super) fn measure(&mut self, now: Nanos, wall: Duration) -> f64 {
+    pub(crate) fn measure(&mut self, now: Nanos, wall: Duration) -> f64 {
         let seconds = wall.saturating_sub(self.measured.1).as_secs_f64();
         if seconds > 0.0 {
             let speed = now.since(self.measured.0).as_secs_f64() / seconds;

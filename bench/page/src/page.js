@@ -84,6 +84,23 @@ const WORDS = {
   stopped: ["台架已停止：", "The bench has stopped: "],
   connection: ["与台架的连接已断开，正在重连……", "Connection to the bench lost; trying again ..."],
   full: ["录制已满", "the recording is full"],
+  open_file: ["打开文件……", "Open a file ..."],
+  open_hint: ["录制、DBC 或固件 ELF；文件不会离开本机", "A recording, a DBC or a firmware ELF; it never leaves this machine"],
+  local_only: ["文件只在此浏览器内读取，不会上传。", "The file is read in this browser only; nothing is uploaded."],
+  is_image: ["固件映像：台架已用它重新上电。", "An image of the firmware: the bench has started anew with it."],
+  is_recording: ["录制：台架正在向固件回放。", "A recording: the bench plays it to the firmware."],
+  is_dbc: ["DBC 文件。", "A DBC file."],
+  is_other: ["无法识别此文件。", "The bench cannot read this file."],
+  messages_in: ["条报文", "messages"],
+  no_findings: ["没有问题。", "Nothing is wrong with it."],
+  place: ["行", "Line"],
+  finding: ["问题", "Finding"],
+  message: ["报文", "Message"],
+  signal: ["信号", "Signal"],
+  last_value: ["最后的值", "Last value"],
+  and_more: ["其余未列出：", "not listed: "],
+  ended: ["台架已崩溃：", "The bench has crashed: "],
+  restart: ["重新启动", "Restart"],
   raw: ["原始值", "raw"],
 };
 
@@ -174,24 +191,80 @@ function segments(container, choices, choose) {
   };
 }
 
-// --- the socket ----------------------------------------------------------------------------------------------------
+// --- the link ------------------------------------------------------------------------------------------------------
 
-let socket, catalog, state, pictures = 0;
-const send = command => { if (socket && socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(command)); };
-
-function connect() {
-  socket = new WebSocket(`ws://${location.host}/live`);
-  socket.binaryType = "blob";
-  socket.onopen = () => { document.body.classList.remove("lost"); dismissed = null; };
-  socket.onmessage = event => {
-    if (typeof event.data !== "string") { drawPicture(event.data); return; }
-    const message = JSON.parse(event.data);
+let catalog, state, pictures = 0;
+const link = openLink({
+  onOpen() { document.body.classList.remove("lost"); dismissed = null; },
+  onText(text) {
+    const message = JSON.parse(text);
     if (message.kind === "catalog") takeCatalog(message);
     else if (message.kind === "state") takeState(message);
     else if (message.kind === "notice") notice(message.text);
-  };
-  socket.onclose = () => { document.body.classList.add("lost"); quiet(); notice(word("connection")); setTimeout(connect, 700); };
+  },
+  onPicture: drawPicture,
+  onClose(why) {
+    document.body.classList.add("lost"); quiet();
+    if (!link.restart) { notice(word("connection")); return; }
+    // A Worker that has ended does not come back by itself.
+    $("stopped").replaceChildren(word("ended") + (why || "?") + " ", make("button", { type: "button", id: "restart", onclick: () => { $("stopped").hidden = true; link.restart(); } }, word("restart")));
+    $("stopped").hidden = false;
+  },
+});
+const send = command => link.send(JSON.stringify(command));
+
+/** Keeps what the session has under this name as a file. */
+async function keep(path, name) {
+  try {
+    const blob = await link.ask(path), url = URL.createObjectURL(blob);
+    make("a", { href: url, download: name }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
+  } catch (error) { notice(String(error.message || error)); }
 }
+
+// --- files ---------------------------------------------------------------------------------------------------------
+
+const table = (heads, rows) => make("table", { class: "values" }, make("thead", {}, make("tr", {}, ...heads.map(head => make("th", {}, word(head))))), make("tbody", {}, ...rows.map(cells => make("tr", {}, ...cells.map(cell => make("td", {}, String(cell)))))));
+
+/** Gives a file to the bench and shows what it is. */
+async function openFile(file) {
+  let told;
+  try { told = JSON.parse(await link.drop(file)); } catch (error) { notice(String(error.message || error)); return; }
+  const body = [make("p", {}, word("is_" + told.is))];
+  if (told.is === "image") body.push(make("p", { class: "fact" }, `${told.bytes} B`));
+  if (told.is === "recording") body.push(make("p", { class: "fact" }, `${told.frames} ${word("frames_in")}, ${told.seconds.toFixed(1)} s. ${told.notes.join("; ")}`));
+  if (told.is === "other") body.push(make("p", { class: "problem" }, told.problem));
+  if (told.is === "dbc") {
+    body.push(make("p", { class: "fact" }, `${told.messages} ${word("messages_in")}. ${told.findings.length ? "" : word("no_findings")}`));
+    if (told.findings.length) body.push(table(["place", "finding"], told.findings.map(found => [found.column ? `${found.line}:${found.column}` : found.line, `${found.grade}: ${found.text}`])));
+  }
+  if (told.decoded?.length) body.push(table(["message", "signal", "count", "last_value"], told.decoded.map(row => [row.message, row.signal, row.frames, `${row.last} ${row.unit}`.trim()])));
+  if (told.more) body.push(make("p", { class: "fact" }, word("and_more") + told.more));
+  body.push(make("p", { class: "fact" }, word("local_only")));
+  $("dropped-title").textContent = told.name;
+  $("dropped-body").replaceChildren(...body);
+  $("dropped").dataset.is = told.is;
+  if (!$("dropped").open) $("dropped").showModal();
+}
+
+if (link.drop) {
+  $("open").hidden = false;
+  $("open").onclick = () => $("file").click();
+  $("file").onchange = () => { if ($("file").files[0]) openFile($("file").files[0]); $("file").value = ""; };
+  addEventListener("dragover", event => event.preventDefault());
+  addEventListener("drop", event => { event.preventDefault(); if (event.dataTransfer.files[0]) openFile(event.dataTransfer.files[0]); });
+}
+
+/** `#play=citybus/fire` plays a scenario, `#vehicle=jiulong` starts a vehicle; once, when the bench is there. */
+let wanted = new URLSearchParams(location.hash.slice(1));
+function followHash() {
+  const [vehicle, scenario] = (wanted.get("play") ?? wanted.get("vehicle") ?? "").split("/");
+  if (!vehicle || !catalog) return;
+  if (catalog.vehicle !== vehicle) { if (catalog.vehicles.some(({ name }) => name === vehicle)) send({ do: "start", vehicle }); else wanted = new URLSearchParams(); return; }
+  wanted = new URLSearchParams();
+  if (scenario) { $("scenario").value = scenario; send({ do: "play", name: scenario }); }
+}
+addEventListener("hashchange", () => { wanted = new URLSearchParams(location.hash.slice(1)); followHash(); });
 
 let noticeTimer;
 function notice(text) {
@@ -282,6 +355,7 @@ function takeCatalog(message) {
   if (again || rows.size === 0) { state = null; resetBus(); }
   tones = [0, 0];
   build();
+  followHash();
 }
 
 function build() {
@@ -706,8 +780,8 @@ async function decode(id, data) {
   if (decoding || decodedOf === id + data + language && !$("decoded").hidden) return;
   decoding = true;
   try {
-    const answer = messages.has(id) && data !== "R" ? await fetch(`/decode/${id}/${data || "00"}`) : null;
-    const signals = answer?.ok ? await answer.json() : null;
+    const known = messages.has(id) && data !== "R";
+    const signals = known ? await link.ask(`decode/${id}/${data || "00"}`).then(blob => blob.text()).then(JSON.parse).catch(() => null) : null;
     if (chosen?.id === id) { decodedOf = id + data + language; showDecoded(id, signals); }
   } catch { /* the connection is gone; the page says so */ } finally { decoding = false; }
 }
@@ -866,6 +940,11 @@ $("size").value = stored("size", "fit");
 $("shortcuts").checked = stored("shortcuts", "on") === "on";
 $("shortcuts").onchange = () => store("shortcuts", $("shortcuts").checked ? "on" : "off");
 document.addEventListener("click", event => { if (!$("shots").contains(event.target) || event.target.matches("a")) $("shots").open = false; });
+document.addEventListener("click", event => {
+  const kept = event.target.closest?.("a[data-kept]");
+  if (!kept) return;
+  event.preventDefault();
+  keep(kept.getAttribute("href"), kept.download);
+});
 flag($("sound"), "aria-pressed", audible);
 translate();
-connect();

@@ -3,14 +3,14 @@
 //! A recording is encoded while it runs, in virtual time, so that it costs little memory, and it ends by itself at a
 //! stated size. The GIF holds only what has changed from one picture to the next.
 
-use crate::chips::picture::Picture;
-use crate::log::candump_line;
-use crate::rig::Heard;
-use crate::time::Nanos;
 use anyhow::{Context, Result};
-use axum::body::Bytes;
+use bench::chips::picture::Picture;
+use bench::log::candump_line;
+use bench::rig::Heard;
+use bench::time::Nanos;
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Virtual time between two looks at the panel.
 const PICTURE_EVERY: Nanos = Nanos::from_millis(100);
@@ -29,7 +29,7 @@ const DELAY_MIN: u16 = 2;
 
 /// How long a recording is, for the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub(super) struct Length {
+pub struct Length {
     /// Virtual seconds.
     seconds: f64,
     /// Frames of the bus.
@@ -48,7 +48,7 @@ struct Pending {
 }
 
 /// A recording that runs.
-pub(super) struct Recorder {
+pub(crate) struct Recorder {
     since: Nanos,
     now: Nanos,
     due: Nanos,
@@ -60,11 +60,14 @@ pub(super) struct Recorder {
 }
 
 /// A recording that has ended; its copies share its bytes.
-#[derive(Clone)]
-pub(super) struct Recording {
-    pub(super) gif: Bytes,
-    pub(super) log: Bytes,
-    pub(super) length: Length,
+#[derive(Clone, Debug)]
+pub struct Recording {
+    /// The panel as GIF.
+    pub gif: Arc<[u8]>,
+    /// The bus as candump log.
+    pub log: Arc<[u8]>,
+    /// How long it is.
+    pub length: Length,
 }
 
 impl Recorder {
@@ -72,7 +75,7 @@ impl Recorder {
     ///
     /// # Errors
     /// If the panel has no size that a GIF can have.
-    pub(super) fn new(now: Nanos, picture: &Picture) -> Result<Self> {
+    pub(crate) fn new(now: Nanos, picture: &Picture) -> Result<Self> {
         let size = |pixels: u32| u16::try_from(pixels).context("the panel is larger than a GIF can be");
         let mut gif = Encoder::new(Vec::new(), size(picture.width)?, size(picture.height)?, &[])?;
         gif.set_repeat(Repeat::Infinite)?;
@@ -80,7 +83,7 @@ impl Recorder {
     }
 
     /// Whether the panel is to be looked at now.
-    pub(super) fn wants_picture(&self, now: Nanos) -> bool {
+    pub(crate) fn wants_picture(&self, now: Nanos) -> bool {
         now >= self.due
     }
 
@@ -88,7 +91,7 @@ impl Recorder {
     ///
     /// # Errors
     /// If it cannot be encoded.
-    pub(super) fn see(&mut self, now: Nanos, picture: &Picture) -> Result<()> {
+    pub(crate) fn see(&mut self, now: Nanos, picture: &Picture) -> Result<()> {
         (self.now, self.due) = (now, now + PICTURE_EVERY);
         let whole = (0, 0, picture.width, picture.height);
         let changed = self.last.as_ref().map_or(Some(whole), |last| difference(last, picture));
@@ -101,7 +104,7 @@ impl Recorder {
     }
 
     /// Takes a frame of the bus.
-    pub(super) fn hear(&mut self, heard: &Heard) {
+    pub(crate) fn hear(&mut self, heard: &Heard) {
         self.now = self.now.max(heard.at);
         self.log.push_str(&candump_line(heard.at, INTERFACE, &heard.frame));
         self.log.push('\n');
@@ -109,12 +112,12 @@ impl Recorder {
     }
 
     /// Whether it has come to its largest size.
-    pub(super) fn is_full(&self) -> bool {
+    pub(crate) fn is_full(&self) -> bool {
         let bytes = self.log.len().max(self.gif.get_ref().len());
         bytes > BYTES_MAX || self.now.since(self.since) >= SPAN_MAX
     }
 
-    pub(super) fn length(&self) -> Length {
+    pub(crate) fn length(&self) -> Length {
         Length {
             seconds: self.now.since(self.since).as_secs_f64(),
             frames: self.frames,
@@ -127,10 +130,10 @@ impl Recorder {
     ///
     /// # Errors
     /// If the last picture cannot be encoded.
-    pub(super) fn finish(mut self) -> Result<Recording> {
+    pub(crate) fn finish(mut self) -> Result<Recording> {
         self.write_pending(self.now)?;
         let length = self.length();
-        Ok(Recording { gif: self.gif.into_inner()?.into(), log: self.log.into(), length })
+        Ok(Recording { gif: self.gif.into_inner()?.into(), log: self.log.into_bytes().into(), length })
     }
 
     fn write_pending(&mut self, now: Nanos) -> Result<()> {
@@ -151,7 +154,7 @@ impl Recorder {
 ///
 /// # Errors
 /// If it cannot be encoded.
-pub(super) fn png(picture: &Picture, scale: u32) -> Result<Vec<u8>> {
+pub fn png(picture: &Picture, scale: u32) -> Result<Vec<u8>> {
     let scale = scale.clamp(1, SCALE_MAX);
     if scale == 1 {
         return Ok(picture.png()?);
@@ -189,8 +192,8 @@ fn cut(picture: &Picture, x: u32, y: u32, width: u32, height: u32) -> Picture {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::can::{Frame as BusFrame, Id};
-    use crate::log::Log;
+    use bench::can::{Frame as BusFrame, Id};
+    use bench::log::Log;
 
     fn plain(colour: [u8; 3]) -> Picture {
         Picture { width: 8, height: 6, rgb: colour.repeat(48) }

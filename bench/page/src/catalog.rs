@@ -3,10 +3,10 @@
 //! Built from the vehicle's own tables of controls and readouts, from the tables of messages, and from two small tables
 //! of the page: presets (several settings at once) and faults of the bus wires. Refuses to know what a control leads to.
 
-use super::beside::beside;
-use super::scenes::{self, Scene};
-use super::trace::{self, Named};
-use super::wires::WIRES;
+use crate::beside::beside;
+use crate::scenes::{Library, Scene};
+use crate::trace::{self, Named};
+use crate::wires::WIRES;
 use cluster::Telltale;
 use protocol_core::Value;
 use protocol_core::states::{self, State};
@@ -128,7 +128,7 @@ struct Legend {
 
 /// What a page is told when it comes, and when the bench starts again.
 #[derive(Debug, Serialize)]
-pub(super) struct Catalog {
+pub(crate) struct Catalog {
     kind: &'static str,
     /// Counts benches: another number means that everything begins again.
     bench: u64,
@@ -156,15 +156,15 @@ pub(super) struct Catalog {
 }
 
 /// What the page knows of a bench beside its vehicle.
-pub(super) struct Around<'a> {
-    pub(super) bench: u64,
-    pub(super) recording: Option<&'a str>,
-    pub(super) notes: &'a [String],
-    pub(super) bitrate: u32,
+pub(crate) struct Around<'a> {
+    pub(crate) bench: u64,
+    pub(crate) recording: Option<&'a str>,
+    pub(crate) notes: &'a [String],
+    pub(crate) bitrate: u32,
 }
 
 impl Catalog {
-    pub(super) fn of(vehicle: Option<&VirtualVehicle>, around: &Around<'_>) -> Self {
+    pub(crate) fn of(vehicle: Option<&VirtualVehicle>, library: &Library, around: &Around<'_>) -> Self {
         let kind = vehicle.map(VirtualVehicle::kind);
         let mut controls: Vec<Row> =
             vehicle.map(|vehicle| vehicle.controls().map(row).collect()).unwrap_or_default();
@@ -211,14 +211,14 @@ impl Catalog {
                 .iter()
                 .filter_map(|value| Some((value.path(), value.unit().kind()?.name)))
                 .collect(),
-            scenarios: kind.map(scenes::list).unwrap_or_default(),
+            scenarios: kind.map(|kind| library.list(kind)).unwrap_or_default(),
             messages: trace::messages(kind.map(Kind::name)),
         }
     }
 }
 
 /// Returns what the controls of [`Catalog::of`] are set to, in the same order, without the wires.
-pub(super) fn settings(vehicle: &VirtualVehicle) -> impl Iterator<Item = Setting> {
+pub(crate) fn settings(vehicle: &VirtualVehicle) -> impl Iterator<Item = Setting> {
     vehicle.controls().map(|control| (control.get)(vehicle.world()))
 }
 
@@ -228,7 +228,7 @@ fn fresh(vehicle: &VirtualVehicle) -> Vec<Setting> {
 }
 
 /// Sets what a bench begins with.
-pub(super) fn begin(vehicle: &mut VirtualVehicle) {
+pub(crate) fn begin(vehicle: &mut VirtualVehicle) {
     // A setting that this vehicle does not have is not missed.
     let _ = apply(vehicle, BEGINNING);
 }
@@ -237,7 +237,7 @@ pub(super) fn begin(vehicle: &mut VirtualVehicle) {
 ///
 /// # Errors
 /// If there is no such preset, or the vehicle takes one of its settings otherwise.
-pub(super) fn preset(vehicle: &mut VirtualVehicle, name: &str) -> Result<(), String> {
+pub(crate) fn preset(vehicle: &mut VirtualVehicle, name: &str) -> Result<(), String> {
     let preset = PRESETS.iter().find(|preset| preset.name == name);
     apply(vehicle, preset.ok_or_else(|| format!("there is no preset `{name}`"))?.settings)
 }
@@ -298,6 +298,10 @@ const fn group_name(group: Group) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn nothing() -> Library {
+        Library::new(|_| Vec::new())
+    }
     use serde_json::json;
     use virtual_vehicle::Options;
 
@@ -323,7 +327,7 @@ mod tests {
     fn the_page_is_told_what_every_telltale_is_called() {
         let vehicle = VirtualVehicle::new(Kind::C5ev, Options::default());
         let around = Around { bench: 0, recording: None, notes: &[], bitrate: 250_000 };
-        let catalog = serde_json::to_value(Catalog::of(Some(&vehicle), &around)).unwrap();
+        let catalog = serde_json::to_value(Catalog::of(Some(&vehicle), &nothing(), &around)).unwrap();
         for (row, telltale) in catalog["telltales"].as_array().unwrap().iter().zip(Telltale::ALL) {
             assert_eq!((&row["key"], &row["zh"]), (&telltale.key().into(), &telltale.zh().into()));
             assert_eq!(row["en"], telltale.en());
@@ -334,7 +338,7 @@ mod tests {
     #[test]
     fn the_page_has_the_texts_of_every_state_and_the_kind_of_every_value() {
         let around = Around { bench: 0, recording: None, notes: &[], bitrate: 250_000 };
-        let catalog = serde_json::to_value(Catalog::of(None, &around)).expect("a catalog");
+        let catalog = serde_json::to_value(Catalog::of(None, &nothing(), &around)).expect("a catalog");
         for kind in states::KINDS {
             let rows = &catalog["states"][kind.name];
             assert_eq!(rows.as_array().map(Vec::len), Some(kind.states.len()), "{}", kind.name);
@@ -367,7 +371,7 @@ mod tests {
         for kind in Kind::ALL {
             let vehicle = VirtualVehicle::new(kind, Options::default());
             let around = Around { bench: 0, recording: None, notes: &[], bitrate: 250_000 };
-            let catalog = Catalog::of(Some(&vehicle), &around);
+            let catalog = Catalog::of(Some(&vehicle), &nothing(), &around);
             let mut paths: Vec<&str> = catalog.controls.iter().map(|control| control.path).collect();
             assert_eq!(paths.len(), vehicle.controls().count() + WIRES.len());
             assert_eq!(settings(&vehicle).count() + WIRES.len(), paths.len());

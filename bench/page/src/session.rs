@@ -1,43 +1,37 @@
-//! The thread that owns the bench: obeys the pages, keeps the pace, tells what happened.
+//! Owns the bench: obeys the pages, keeps the pace, tells what happened.
 //!
-//! Everything that touches the [`Rig`] happens here, one command after the other, and nothing else: files are made by the
-//! server, of what is told in [`Latest`]. A bench that has stopped (the firmware did what is not modelled) stays to be
+//! Everything that touches the [`Rig`] happens here, one command after the other, in [`Session::take`] and
+//! [`Session::turn`]; who calls them, on a thread of a PC or in a browser's Worker, brings the wall clock, the judge of
+//! scenarios and what becomes of each [`Update`]. It blocks nowhere and opens nothing. A bench that has stopped (the firmware did what is not modelled) stays to be
 //! looked at until it is started again. Memory is bounded over any length of run.
 
-use super::catalog::{self, Catalog};
-use super::live::{self, State, Told};
-use super::pace::{Pace, SLICE};
-use super::recording::{self, Length, Recorder, Recording};
-use super::scenes::{self, Judge, Playing};
-use super::trace::Trace;
-use super::wires::Wires;
-use crate::chips::picture::Picture;
-use crate::rig::Rig;
-use crate::time::Nanos;
+use crate::catalog::{self, Catalog};
+use crate::live::{self, State, Told};
+use crate::pace::{Pace, SLICE};
+use crate::recording::{Length, Recorder, Recording};
+use crate::scenes::{Judge, Library, Playing};
+use crate::trace::Trace;
+use crate::wires::Wires;
 use anyhow::Result;
-use axum::body::Bytes;
-use axum::extract::ws::Utf8Bytes;
+use bench::chips::picture::Picture;
+use bench::rig::Rig;
+use bench::time::Nanos;
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
-use std::time::{Duration, Instant};
-use tokio::sync::{broadcast, watch};
+use std::time::Duration;
 use virtual_vehicle::{Kind, Setting};
 
 /// Pictures are told at most this often.
 const PICTURE_EVERY: Duration = Duration::from_millis(33);
 /// States are told this often.
 const STATE_EVERY: Duration = Duration::from_millis(100);
-/// Commands that are obeyed between two slices.
-const COMMANDS_PER_SLICE: usize = 64;
 /// Most slices that one step lets pass.
 const STEP_MAX: u32 = 1_000;
 
 /// What a page may ask for.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
-pub(super) enum Command {
+pub enum Command {
     /// Holds or lets go of a button of the cluster.
     Button {
         /// 0 or 1.
@@ -91,25 +85,17 @@ pub(super) enum Command {
     Look,
 }
 
-/// What is told to every page.
+/// What a page is told.
 #[derive(Clone, Debug)]
-pub(super) enum Update {
-    /// A picture as PNG.
-    Picture(Bytes),
-    /// Catalog, state or notice as JSON.
-    Text(Utf8Bytes),
-}
-
-/// What a page must know that has just come, and what files are made of.
-#[derive(Clone, Default)]
-pub(super) struct Latest {
-    pub(super) catalog: Utf8Bytes,
-    /// What the panel shows, as PNG; empty = nothing was told yet.
-    pub(super) picture: Bytes,
-    /// The same as pixels.
-    pub(super) shown: Option<Arc<Picture>>,
-    /// The last recording that has ended.
-    pub(super) recorded: Option<Recording>,
+pub enum Update {
+    /// What there is to see and to change, as JSON: for every page, and first of all for one that has just come.
+    Catalog(Arc<str>),
+    /// State or notice, as JSON.
+    Text(Arc<str>),
+    /// The panel has changed.
+    Picture(Arc<Picture>),
+    /// A recording has ended and may be fetched; `None` = a new one runs.
+    Recorded(Option<Recording>),
 }
 
 /// A line for the person at the page.
@@ -119,20 +105,27 @@ struct Notice<'a> {
     text: &'a str,
 }
 
+/// Wall time since any fixed moment.
+pub type Clock = Box<dyn Fn() -> Duration + Send>;
+
+/// Takes what the pages are told.
+pub type Tell = Box<dyn FnMut(Update) + Send>;
+
 /// Builds a bench around a vehicle; `None` = around the recording.
-pub(super) type Make = Box<dyn FnMut(Option<Kind>) -> Result<Rig> + Send>;
+pub type Make = Box<dyn FnMut(Option<Kind>) -> Result<Rig> + Send>;
 
 /// The bench and all that is known of it.
-pub(super) struct Session {
+pub struct Session {
     make: Make,
     vehicle: Option<Kind>,
     recording_name: Option<String>,
     notes: Vec<String>,
-    judge: Option<Judge>,
+    library: Library,
+    judge: Option<Box<dyn Judge>>,
     rig: Rig,
     /// Counts benches.
     bench: u64,
-    clock: Instant,
+    clock: Clock,
     pace: Pace,
     wires: Wires,
     trace: Trace,
@@ -147,37 +140,47 @@ pub(super) struct Session {
     recorded: (u64, Option<Length>),
     playing: Option<Playing>,
     stopped: Option<String>,
-    latest: watch::Sender<Latest>,
-    updates: broadcast::Sender<Update>,
+    /// Wall time of the last picture and the last state that were told.
+    told_at: (Duration, Duration),
+    tell: Tell,
 }
 
 /// What a session begins with.
-pub(super) struct Beginning {
-    pub(super) make: Make,
-    pub(super) vehicle: Option<Kind>,
-    pub(super) recording: Option<String>,
-    pub(super) notes: Vec<String>,
-    pub(super) elf: Option<PathBuf>,
-    pub(super) latest: watch::Sender<Latest>,
-    pub(super) updates: broadcast::Sender<Update>,
+pub struct Beginning {
+    /// Builds benches.
+    pub make: Make,
+    /// The vehicle of the first one; `None` = the recording.
+    pub vehicle: Option<Kind>,
+    /// Name of the recording that can be played in place of a vehicle.
+    pub recording: Option<String>,
+    /// What else is on the bus, as lines for a person.
+    pub notes: Vec<String>,
+    /// The scenarios that can be played.
+    pub library: Library,
+    /// Judges them; without one they play unjudged.
+    pub judge: Option<Box<dyn Judge>>,
+    /// The wall clock.
+    pub clock: Clock,
+    /// Takes what the pages are told.
+    pub tell: Tell,
 }
 
 impl Session {
     /// Builds the first bench.
     ///
     /// # Errors
-    /// If it cannot be built, or no thread for judging scenarios can be started.
-    pub(super) fn new(beginning: Beginning) -> Result<Self> {
-        let Beginning { mut make, vehicle, recording, notes, elf, latest, updates } = beginning;
+    /// If it cannot be built.
+    pub fn new(beginning: Beginning) -> Result<Self> {
+        let Beginning { mut make, vehicle, recording, notes, library, judge, clock, tell } = beginning;
         let rig = build_at_ease(&mut make, vehicle)?;
-        let clock = Instant::now();
         let mut session = Self {
-            pace: Pace::new(rig.now(), clock.elapsed()),
+            pace: Pace::new(rig.now(), clock()),
             make,
             vehicle,
             recording_name: recording,
             notes,
-            judge: elf.map(Judge::of_firmware).transpose()?,
+            library,
+            judge,
             rig,
             bench: 1,
             clock,
@@ -191,45 +194,44 @@ impl Session {
             recorded: (0, None),
             playing: None,
             stopped: None,
-            latest,
-            updates,
+            told_at: (Duration::ZERO, Duration::ZERO),
+            tell,
         };
         session.tell_catalog();
         session.tell_picture();
         Ok(session)
     }
 
-    /// Runs until nobody can ask any more.
-    pub(super) fn run(mut self, commands: &Receiver<Command>) {
-        let (mut pictured, mut told) = (Duration::ZERO, Duration::ZERO);
-        loop {
-            for _ in 0..COMMANDS_PER_SLICE {
-                match commands.try_recv() {
-                    Ok(command) => self.take(command),
-                    Err(TryRecvError::Empty) => break,
-                    Err(TryRecvError::Disconnected) => return,
-                }
-            }
-            if self.stopped.is_none() && self.pace.is_due(self.rig.now(), self.clock.elapsed()) {
-                self.pass();
-            } else {
-                let nap = self.pace.nap(self.rig.now(), self.clock.elapsed());
-                match commands.recv_timeout(nap) {
-                    Ok(command) => self.take(command),
-                    Err(RecvTimeoutError::Timeout) => {}
-                    Err(RecvTimeoutError::Disconnected) => return,
-                }
-            }
-            let wall = self.clock.elapsed();
-            if wall.saturating_sub(pictured) >= PICTURE_EVERY {
-                pictured = wall;
-                self.tell_picture();
-            }
-            if wall.saturating_sub(told) >= STATE_EVERY {
-                told = wall;
-                self.tell_state();
-            }
+    /// Lets one slice of virtual time pass if one is due, and tells what is to be told; returns how long there is
+    /// nothing to do but to wait for commands, zero if the next slice is due.
+    pub fn turn(&mut self) -> Duration {
+        let nap = if self.stopped.is_none() && self.pace.is_due(self.rig.now(), (self.clock)()) {
+            self.pass();
+            Duration::ZERO
+        } else {
+            self.pace.nap(self.rig.now(), (self.clock)())
+        };
+        let wall = (self.clock)();
+        if wall.saturating_sub(self.told_at.0) >= PICTURE_EVERY {
+            self.told_at.0 = wall;
+            self.tell_picture();
         }
+        if wall.saturating_sub(self.told_at.1) >= STATE_EVERY {
+            self.told_at.1 = wall;
+            self.tell_state();
+        }
+        nap
+    }
+
+    /// Starts the bench again with another recording, which is called so from now on.
+    pub fn play_recording(&mut self, name: &str) {
+        self.recording_name = Some(name.to_owned());
+        self.take(Command::Start { vehicle: None });
+    }
+
+    /// The bench as it is.
+    pub fn rig(&self) -> &Rig {
+        &self.rig
     }
 
     /// Lets one slice of virtual time pass and looks at what happened in it.
@@ -240,11 +242,11 @@ impl Session {
             self.playing = None;
             self.notice(&problem);
         }
-        let started = Instant::now();
+        let started = (self.clock)();
         // To the next whole slice: the engine stops a little late, and that must not add up.
         let now = self.rig.now();
         let run = self.rig.run_for(Nanos((now.0 / SLICE.0 + 1) * SLICE.0).since(now));
-        self.pace.passed(started.elapsed());
+        self.pace.passed((self.clock)().saturating_sub(started));
         self.stopped = run.err().map(|stop| stop.to_string());
         let (heard, next) = self.rig.heard_since(self.heard);
         self.heard = next;
@@ -277,19 +279,20 @@ impl Session {
         if let Some(recorder) = self.recorder.take() {
             let recording = recorder.finish()?;
             self.recorded = (self.recorded.0 + 1, Some(recording.length));
-            self.latest.send_modify(|latest| latest.recorded = Some(recording));
+            (self.tell)(Update::Recorded(Some(recording)));
         }
         Ok(())
     }
 
-    fn take(&mut self, command: Command) {
+    /// Obeys a page; what cannot be done is told to all of them.
+    pub fn take(&mut self, command: Command) {
         if let Err(problem) = self.obey(command) {
             self.notice(&problem);
         }
     }
 
     fn obey(&mut self, command: Command) -> Result<(), String> {
-        let (now, wall) = (self.rig.now(), self.clock.elapsed());
+        let (now, wall) = (self.rig.now(), (self.clock)());
         match command {
             Command::Button { index, down } => self.rig.hold_button(index, down),
             Command::Pause { on } => self.pace.pause(on, now, wall),
@@ -316,16 +319,16 @@ impl Session {
             }
             Command::Play { name } => {
                 let kind = self.vehicle.ok_or("a recording plays; choose a vehicle first")?;
-                let scenario = scenes::find(kind, &name).map_err(|error| format!("{error:#}"))?;
+                let scenario = self.library.find(kind, &name).map_err(|error| format!("{error:#}"))?;
                 let mut rig = (self.make)(Some(kind)).map_err(|error| format!("{error:#}"))?;
-                let playing = Playing::start(scenario, &mut rig, self.judge.as_mut());
+                let playing = Playing::start(scenario, &mut rig, self.judge.as_deref_mut());
                 return self.begin(rig, Some(kind), Some(playing));
             }
             Command::Record { on: true } => {
                 let recorder = Recorder::new(now, &picture(&self.rig));
                 self.recorder = Some(recorder.map_err(|error| format!("{error:#}"))?);
                 self.recorded.1 = None;
-                self.latest.send_modify(|latest| latest.recorded = None);
+                (self.tell)(Update::Recorded(None));
             }
             Command::Record { on: false } => {
                 return self.end_recording().map_err(|error| format!("{error:#}"));
@@ -347,7 +350,7 @@ impl Session {
         self.end_recording().map_err(|error| format!("{error:#}"))?;
         (self.rig, self.vehicle) = (rig, vehicle);
         self.bench += 1;
-        self.pace.restart(self.rig.now(), self.clock.elapsed());
+        self.pace.restart(self.rig.now(), (self.clock)());
         (self.wires, self.trace, self.told) = (Wires::default(), Trace::default(), Told::default());
         (self.heard, self.whole) = (0, true);
         (self.pictured, self.playing, self.stopped) = (None, playing, None);
@@ -363,9 +366,8 @@ impl Session {
             notes: &self.notes,
             bitrate: self.rig.board().bus().bitrate(),
         };
-        let text = json(&Catalog::of(self.rig.vehicle(), &around));
-        self.latest.send_modify(|latest| latest.catalog = text.clone());
-        self.tell(Update::Text(text));
+        let text = json(&Catalog::of(self.rig.vehicle(), &self.library, &around));
+        (self.tell)(Update::Catalog(text));
     }
 
     /// Tells the picture if it has changed.
@@ -376,20 +378,14 @@ impl Session {
             return;
         }
         self.pictured = Some(look);
-        let shown = picture(&self.rig);
-        let Ok(png) = recording::png(&shown, 1) else { return };
-        let png = Bytes::from(png);
-        self.latest.send_modify(|latest| {
-            (latest.picture, latest.shown) = (png.clone(), Some(Arc::new(shown)));
-        });
-        self.tell(Update::Picture(png));
+        (self.tell)(Update::Picture(Arc::new(picture(&self.rig))));
     }
 
     fn tell_state(&mut self) {
         let now = self.rig.now();
         let around = live::Around {
             bench: self.bench,
-            wall: self.clock.elapsed(),
+            wall: (self.clock)(),
             wires: &self.wires,
             recording: self.recorder.as_ref().map(Recorder::length),
             recorded: self.recorded.1.map(|length| (self.recorded.0, length)),
@@ -398,16 +394,11 @@ impl Session {
             bus: self.trace.take(std::mem::take(&mut self.whole)),
         };
         let text = json(&State::of(&self.rig, &mut self.pace, &mut self.told, around));
-        self.tell(Update::Text(text));
+        (self.tell)(Update::Text(text));
     }
 
-    fn notice(&self, text: &str) {
-        self.tell(Update::Text(json(&Notice { kind: "notice", text })));
-    }
-
-    fn tell(&self, update: Update) {
-        // Without a page nobody listens.
-        let _ = self.updates.send(update);
+    fn notice(&mut self, text: &str) {
+        (self.tell)(Update::Text(json(&Notice { kind: "notice", text })));
     }
 }
 
@@ -429,6 +420,6 @@ fn picture(rig: &Rig) -> Picture {
     })
 }
 
-fn json(value: &impl Serialize) -> Utf8Bytes {
+fn json(value: &impl Serialize) -> Arc<str> {
     serde_json::to_string(value).unwrap_or_default().into()
 }

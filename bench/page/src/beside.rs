@@ -32,7 +32,7 @@ const ROWS: &[Row] = &[
 ];
 
 /// Returns the model's name of what the readout `path` tells.
-pub(super) fn beside(path: &'static str) -> &'static str {
+pub(crate) fn beside(path: &'static str) -> &'static str {
     ROWS.iter().find(|row| row.0 == path).map_or(path, |row| row.1)
 }
 

@@ -3,10 +3,10 @@
 //! Eight times as wide and high a picture is 15 MB of pixels and costs as much as many slices of virtual time. However
 //! many are asked for, one is made at a time, and one of the same picture and size is made once.
 
-use super::session::Latest;
-use crate::chips::picture::Picture;
+use crate::serve::Latest;
 use anyhow::Result;
 use axum::body::Bytes;
+use bench::chips::picture::Picture;
 use std::sync::Arc;
 use tokio::sync::{Mutex, watch};
 
@@ -22,14 +22,14 @@ type Make = dyn Fn(&Picture, u32) -> Result<Vec<u8>> + Send + Sync;
 
 /// Makes pictures for whoever asks.
 #[derive(Clone)]
-pub(super) struct Screens {
+pub(crate) struct Screens {
     make: Arc<Make>,
     last: Arc<Mutex<Option<Made>>>,
 }
 
 impl Screens {
     /// Makes pictures with `make`.
-    pub(super) fn new(make: impl Fn(&Picture, u32) -> Result<Vec<u8>> + Send + Sync + 'static) -> Self {
+    pub(crate) fn new(make: impl Fn(&Picture, u32) -> Result<Vec<u8>> + Send + Sync + 'static) -> Self {
         Self { make: Arc::new(make), last: Arc::default() }
     }
 
@@ -37,7 +37,7 @@ impl Screens {
     ///
     /// # Errors
     /// If there is no picture yet or it cannot be encoded, in words for a person.
-    pub(super) async fn png(&self, latest: &watch::Receiver<Latest>, scale: u32) -> Result<Bytes, String> {
+    pub(crate) async fn png(&self, latest: &watch::Receiver<Latest>, scale: u32) -> Result<Bytes, String> {
         let mut last = Arc::clone(&self.last).lock_owned().await;
         // Whoever has waited gets what is shown now.
         let shown = latest.borrow().shown.clone();

@@ -22,7 +22,7 @@ const HTTP_PORT: u16 = 80;
 
 /// What stands on every answer: the page needs nothing that is not in it, nobody frames it, embeds what it serves or
 /// keeps a handle on its window. `Referer` stays, for browsers that tell the page's own requests by nothing else.
-pub(super) const HEADERS: [(HeaderName, HeaderValue); 6] = [
+pub(crate) const HEADERS: [(HeaderName, HeaderValue); 6] = [
     (
         CONTENT_SECURITY_POLICY,
         HeaderValue::from_static(
@@ -46,7 +46,7 @@ pub(super) const HEADERS: [(HeaderName, HeaderValue); 6] = [
 /// costs nothing and is what one types; anything else needs proof: `Origin` (which every web socket has), `Referer`
 /// (which the page's own links and fetches have), or a browser's word that it is the page or the address bar. There is no
 /// token in the URL: it would stand in histories and logs, and tools would have to read the page to learn it.
-pub(super) fn is_answered(headers: &HeaderMap, path: &str, port: u16) -> bool {
+pub(crate) fn is_answered(headers: &HeaderMap, path: &str, port: u16) -> bool {
     let Some(host) = only(headers, &HOST).filter(|host| is_own_host(host, port)) else { return false };
     let own = format!("http://{host}");
     let origin = only(headers, &ORIGIN).map(|origin| origin == own);

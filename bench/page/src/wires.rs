@@ -1,20 +1,20 @@
 //! Faults of the bus wires, which belong to no vehicle: a table beside the vehicle's own controls.
 
-use crate::rig::Rig;
+use bench::rig::Rig;
 
 /// One fault of the wires.
-pub(super) struct Wire {
+pub(crate) struct Wire {
     /// Public name.
-    pub(super) path: &'static str,
+    pub(crate) path: &'static str,
     /// What it is called in simplified Chinese.
-    pub(super) zh: &'static str,
+    pub(crate) zh: &'static str,
     /// What it is called in English.
-    pub(super) en: &'static str,
+    pub(crate) en: &'static str,
     set: fn(&mut Rig, bool),
 }
 
 /// Every fault, in the order of the page.
-pub(super) const WIRES: &[Wire] = &[
+pub(crate) const WIRES: &[Wire] = &[
     Wire { path: "bus.unplug", zh: "仪表 CAN 线断开", en: "Cluster's bus wires cut", set: Rig::unplug },
     Wire { path: "bus.short", zh: "CAN 总线短路", en: "Bus wires shorted", set: Rig::short_bus },
     Wire {
@@ -28,11 +28,11 @@ pub(super) const WIRES: &[Wire] = &[
 
 /// Which faults are on now.
 #[derive(Default)]
-pub(super) struct Wires([bool; WIRES.len()]);
+pub(crate) struct Wires([bool; WIRES.len()]);
 
 impl Wires {
     /// Sets a fault; `false` if there is none of this name.
-    pub(super) fn set(&mut self, rig: &mut Rig, path: &str, on: bool) -> bool {
+    pub(crate) fn set(&mut self, rig: &mut Rig, path: &str, on: bool) -> bool {
         let Some(index) = WIRES.iter().position(|wire| wire.path == path) else { return false };
         // A fault that is there already is not put in twice.
         if self.0[index] != on {
@@ -43,7 +43,7 @@ impl Wires {
     }
 
     /// What is set, in the order of [`WIRES`].
-    pub(super) fn settings(&self) -> impl Iterator<Item = Option<f64>> {
+    pub(crate) fn settings(&self) -> impl Iterator<Item = Option<f64>> {
         self.0.iter().map(|on| Some(f64::from(u8::from(*on))))
     }
 }

@@ -4,11 +4,12 @@
 //! the README shows (docs/images/page.png).
 
 mod browser;
+#[path = "../../tests/firmware/mod.rs"]
 mod firmware;
 
 use bench::log::Log;
-use bench::page::{Server, Start};
 use bench::rig::{Rig, RigOptions};
+use bench_host::{Server, Start};
 use browser::Browser;
 use protocol_core::generated::VEHICLES;
 use std::io::{Read, Write};

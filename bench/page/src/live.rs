@@ -2,15 +2,15 @@
 //!
 //! Only reads the bench. The words of the message line are those of the row of its fault.
 
-use super::catalog;
-use super::pace::Pace;
-use super::recording::Length;
-use super::scenes::Story;
-use super::trace::BusUpdate;
-use super::wires::Wires;
-use crate::chips::panel::BACKLIGHT_FULL;
-use crate::rig::Rig;
-use crate::time::Nanos;
+use crate::catalog;
+use crate::pace::Pace;
+use crate::recording::Length;
+use crate::scenes::Story;
+use crate::trace::BusUpdate;
+use crate::wires::Wires;
+use bench::chips::panel::BACKLIGHT_FULL;
+use bench::rig::Rig;
+use bench::time::Nanos;
 use cluster::{Named, Telltale};
 use protocol_core::Vehicle;
 use protocol_core::link::ScreenLine;
@@ -40,7 +40,7 @@ struct Tone(f64, u32, f64);
 
 /// What a page is told.
 #[derive(Debug, Serialize)]
-pub(super) struct State<'a> {
+pub(crate) struct State<'a> {
     kind: &'static str,
     bench: u64,
     /// Virtual seconds since power-on.
@@ -77,26 +77,26 @@ pub(super) struct State<'a> {
 
 /// What was told last, where only the difference counts.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Told {
+pub(crate) struct Told {
     toned: Nanos,
     at: Nanos,
     busy: Nanos,
 }
 
 /// What the session knows beside the rig.
-pub(super) struct Around<'a> {
-    pub(super) bench: u64,
-    pub(super) wall: Duration,
-    pub(super) wires: &'a Wires,
-    pub(super) recording: Option<Length>,
-    pub(super) recorded: Option<(u64, Length)>,
-    pub(super) playing: Option<&'a Story>,
-    pub(super) stopped: Option<&'a str>,
-    pub(super) bus: BusUpdate,
+pub(crate) struct Around<'a> {
+    pub(crate) bench: u64,
+    pub(crate) wall: Duration,
+    pub(crate) wires: &'a Wires,
+    pub(crate) recording: Option<Length>,
+    pub(crate) recorded: Option<(u64, Length)>,
+    pub(crate) playing: Option<&'a Story>,
+    pub(crate) stopped: Option<&'a str>,
+    pub(crate) bus: BusUpdate,
 }
 
 impl<'a> State<'a> {
-    pub(super) fn of(rig: &Rig, pace: &mut Pace, told: &mut Told, around: Around<'a>) -> Self {
+    pub(crate) fn of(rig: &Rig, pace: &mut Pace, told: &mut Told, around: Around<'a>) -> Self {
         let now = rig.now();
         let board = rig.board();
         let (bus, controller) = (board.bus(), board.mcp2515().node());

@@ -3,9 +3,9 @@
 //! Owns counts, periods and which bytes have changed. What a page gets at once is bounded: rows that have changed, and
 //! the newest frames; the rest is counted as skipped. Refuses to keep a frame that has been told.
 
-use crate::can::{Frame, Id};
-use crate::rig::Heard;
-use crate::time::Nanos;
+use bench::can::{Frame, Id};
+use bench::rig::Heard;
+use bench::time::Nanos;
 use protocol_core::CanId;
 use protocol_core::codec::MessageInfo;
 use protocol_core::generated::MESSAGES;
@@ -33,15 +33,15 @@ struct Row {
 
 /// One row as it is told: identifier, frames so far, time in ms, period in ms, data, changed bytes, sent by the cluster.
 #[derive(Debug, PartialEq, Serialize)]
-pub(super) struct RowUpdate(String, u64, f64, Option<f64>, String, u8, bool);
+pub(crate) struct RowUpdate(String, u64, f64, Option<f64>, String, u8, bool);
 
 /// One frame as it is told: time in ms, identifier, data, sent by the cluster.
 #[derive(Debug, PartialEq, Serialize)]
-pub(super) struct FrameUpdate(f64, String, String, bool);
+pub(crate) struct FrameUpdate(f64, String, String, bool);
 
 /// What happened on the bus since the last update.
 #[derive(Debug, Default, PartialEq, Serialize)]
-pub(super) struct BusUpdate {
+pub(crate) struct BusUpdate {
     rows: Vec<RowUpdate>,
     frames: Vec<FrameUpdate>,
     /// Frames before those in `frames` that are not told one by one.
@@ -50,14 +50,14 @@ pub(super) struct BusUpdate {
 
 /// Frames on the bus since the bench started.
 #[derive(Default)]
-pub(super) struct Trace {
+pub(crate) struct Trace {
     rows: BTreeMap<(bool, u32), Row>,
     latest: VecDeque<Heard>,
     skipped: u64,
 }
 
 impl Trace {
-    pub(super) fn hear(&mut self, heard: &Heard) {
+    pub(crate) fn hear(&mut self, heard: &Heard) {
         if self.latest.len() == FRAMES_MAX {
             self.latest.pop_front();
             self.skipped += 1;
@@ -74,7 +74,7 @@ impl Trace {
     }
 
     /// Takes what is new; `whole` = every row, for a page that has just come.
-    pub(super) fn take(&mut self, whole: bool) -> BusUpdate {
+    pub(crate) fn take(&mut self, whole: bool) -> BusUpdate {
         let rows = self.rows.values_mut().filter(|row| whole || !row.told).map(Row::tell).collect();
         let frames = self.latest.drain(..).map(|heard| {
             let frame = &heard.frame;
@@ -123,7 +123,7 @@ impl Row {
 
 /// A message as the page lists it.
 #[derive(Debug, Serialize)]
-pub(super) struct Named {
+pub(crate) struct Named {
     id: String,
     name: &'static str,
     sender: &'static str,
@@ -132,7 +132,7 @@ pub(super) struct Named {
 }
 
 /// Returns the messages of one vehicle, or of all.
-pub(super) fn messages(vehicle: Option<&str>) -> Vec<Named> {
+pub(crate) fn messages(vehicle: Option<&str>) -> Vec<Named> {
     let of = MESSAGES.iter().filter(|(name, _)| vehicle.is_none_or(|vehicle| vehicle == *name));
     of.flat_map(|(_, messages)| *messages)
         .map(|message| Named {
@@ -146,7 +146,7 @@ pub(super) fn messages(vehicle: Option<&str>) -> Vec<Named> {
 
 /// A decoded signal.
 #[derive(Debug, PartialEq, Serialize)]
-pub(super) struct Signal {
+pub(crate) struct Signal {
     name: &'static str,
     raw: i64,
     /// The physical value, valid or not.
@@ -162,7 +162,7 @@ pub(super) struct Signal {
 ///
 /// # Errors
 /// If one of them is not hexadecimal, or no vehicle has this message.
-pub(super) fn decode(id: &str, data: &str) -> Result<Vec<Signal>, String> {
+pub(crate) fn decode(id: &str, data: &str) -> Result<Vec<Signal>, String> {
     let raw = u32::from_str_radix(id, 16).map_err(|_| format!("`{id}` is not an identifier"))?;
     let wanted = match (id.len(), u16::try_from(raw)) {
         (3, Ok(short)) => CanId::standard(short),
@@ -216,6 +216,14 @@ fn id_text(id: Id) -> String {
 
 fn data_text(frame: &Frame) -> String {
     if frame.remote { "R".into() } else { frame.payload().iter().map(|byte| format!("{byte:02X}")).collect() }
+}
+
+/// Returns the signals of a frame as JSON: identifier and data as the page writes them.
+///
+/// # Errors
+/// If no vehicle has a message of this identifier, or the data is no frame; in words for a person.
+pub fn decode_to_json(id: &str, data: &str) -> Result<String, String> {
+    serde_json::to_string(&decode(id, data)?).map_err(|error| error.to_string())
 }
 
 #[cfg(test)]

@@ -3,10 +3,8 @@
 //! Carries, and understands nothing; [`gate`] says who is answered. The bench's thread is asked for nothing but what a
 //! page's commands do: files are made here, of what it told last, so that no number of requests slows virtual time.
 
-use super::gate;
-use super::screens::Screens;
-use super::session::{Command, Latest, Update};
-use super::trace;
+use crate::gate;
+use crate::screens::Screens;
 use axum::body::Bytes;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::extract::{Path, Request, State};
@@ -15,31 +13,50 @@ use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::middleware::{self, Next};
 use axum::response::{Html, IntoResponse, Response};
 use axum::routing::get;
-use std::sync::{LazyLock, mpsc};
+use bench::chips::picture::Picture;
+use bench_page::{Command, Link, Recording};
+use std::sync::{Arc, LazyLock, mpsc};
 use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::{broadcast, watch};
 
-/// The page: markup, style and script are three files in the source and one on the wire.
-static PAGE: LazyLock<String> = LazyLock::new(|| {
-    include_str!("page.html")
-        .replace("/* page.css */", include_str!("page.css"))
-        .replace("/* page.js */", include_str!("page.js"))
-});
+/// The page.
+static PAGE: LazyLock<String> = LazyLock::new(|| bench_page::html(Link::Socket));
 
 /// Largest command that a page may send, in bytes.
 const COMMAND_MAX: usize = 4_096;
 
+/// What is told to every page.
+#[derive(Clone, Debug)]
+pub(crate) enum Told {
+    /// A picture as PNG.
+    Picture(Bytes),
+    /// Catalog, state or notice as JSON.
+    Text(Arc<str>),
+}
+
+/// What a page must know that has just come, and what files are made of.
+#[derive(Clone, Default)]
+pub(crate) struct Latest {
+    pub(crate) catalog: Arc<str>,
+    /// What the panel shows, as PNG; empty = nothing was told yet.
+    pub(crate) picture: Bytes,
+    /// The same as pixels.
+    pub(crate) shown: Option<Arc<Picture>>,
+    /// The last recording that has ended.
+    pub(crate) recorded: Option<Recording>,
+}
+
 /// What a handler can reach.
 #[derive(Clone)]
-pub(super) struct Shared {
-    pub(super) commands: mpsc::Sender<Command>,
-    pub(super) latest: watch::Receiver<Latest>,
-    pub(super) updates: broadcast::Sender<Update>,
-    pub(super) screens: Screens,
+pub(crate) struct Shared {
+    pub(crate) commands: mpsc::Sender<Command>,
+    pub(crate) latest: watch::Receiver<Latest>,
+    pub(crate) updates: broadcast::Sender<Told>,
+    pub(crate) screens: Screens,
 }
 
 /// Returns everything that is served on `port`.
-pub(super) fn routes(shared: Shared, port: u16) -> axum::Router {
+pub(crate) fn routes(shared: Shared, port: u16) -> axum::Router {
     axum::Router::new()
         .route("/", get(async || Html(PAGE.as_str())))
         .route("/live", get(join))
@@ -75,7 +92,7 @@ async fn join(upgrade: WebSocketUpgrade, State(shared): State<Shared>) -> Respon
 async fn talk(mut socket: WebSocket, shared: Shared) {
     let mut updates = shared.updates.subscribe();
     let latest = shared.latest.borrow().clone();
-    let greeted = socket.send(Message::Text(latest.catalog)).await.is_ok()
+    let greeted = socket.send(Message::Text(latest.catalog.as_ref().into())).await.is_ok()
         && (latest.picture.is_empty() || socket.send(Message::Binary(latest.picture)).await.is_ok());
     if !greeted || shared.commands.send(Command::Look).is_err() {
         return;
@@ -84,8 +101,8 @@ async fn talk(mut socket: WebSocket, shared: Shared) {
         tokio::select! {
             update = updates.recv() => {
                 let message = match update {
-                    Ok(Update::Picture(png)) => Message::Binary(png),
-                    Ok(Update::Text(text)) => Message::Text(text),
+                    Ok(Told::Picture(png)) => Message::Binary(png),
+                    Ok(Told::Text(text)) => Message::Text(text.as_ref().into()),
                     // A page that is too slow goes on with what is new, and is told all rows again.
                     Err(RecvError::Lagged(_)) => {
                         let _ = shared.commands.send(Command::Look);
@@ -112,11 +129,8 @@ async fn talk(mut socket: WebSocket, shared: Shared) {
 }
 
 async fn decode(Path((id, data)): Path<(String, String)>) -> Response {
-    match trace::decode(&id, &data) {
-        Ok(signals) => {
-            let text = serde_json::to_string(&signals).unwrap_or_default();
-            ([(CONTENT_TYPE, "application/json")], text).into_response()
-        }
+    match bench_page::decode_to_json(&id, &data) {
+        Ok(text) => ([(CONTENT_TYPE, "application/json")], text).into_response(),
         Err(problem) => (StatusCode::NOT_FOUND, problem).into_response(),
     }
 }
@@ -130,13 +144,17 @@ async fn screen(State(shared): State<Shared>, Path(scale): Path<u32>) -> Respons
 
 async fn gif(State(shared): State<Shared>) -> Response {
     let recorded = shared.latest.borrow().recorded.clone();
-    recorded.map_or_else(nothing_recorded, |recording| file("image/gif", "cluster.gif", recording.gif))
+    recorded.map_or_else(nothing_recorded, |recording| {
+        file("image/gif", "cluster.gif", Bytes::from_owner(recording.gif))
+    })
 }
 
 async fn log(State(shared): State<Shared>) -> Response {
     let recorded = shared.latest.borrow().recorded.clone();
     let kind = "text/plain; charset=utf-8";
-    recorded.map_or_else(nothing_recorded, |recording| file(kind, "cluster.log", recording.log))
+    recorded.map_or_else(nothing_recorded, |recording| {
+        file(kind, "cluster.log", Bytes::from_owner(recording.log))
+    })
 }
 
 fn nothing_recorded() -> Response {
@@ -146,18 +164,4 @@ fn nothing_recorded() -> Response {
 fn file(kind: &'static str, name: &str, bytes: Bytes) -> Response {
     let name = format!("attachment; filename=\"{name}\"");
     ([(CONTENT_TYPE, kind.to_owned()), (CONTENT_DISPOSITION, name)], bytes).into_response()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_page_is_whole_and_names_no_other_host() {
-        assert!(!PAGE.contains("/* page."), "style and script are in it");
-        for (at, _) in PAGE.match_indices("://") {
-            let around = &PAGE[at.saturating_sub(5)..at + 3];
-            assert!(around.ends_with("ws://") || PAGE[at..].starts_with("://www.w3.org/"), "{around}");
-        }
-    }
 }
