@@ -19,7 +19,7 @@ function openLink({ onOpen, onText, onPicture, onClose }) {
   /** A Worker with the module and an image of the firmware. */
   const start = async (flash, log) => {
     const worker = new Worker(parts.script);
-    worker.onerror = event => { event.preventDefault(); onClose(event.message); };
+    worker.onerror = event => { event.preventDefault(); fail(event.message); };
     worker.postMessage({ boot: { module: parts.module, flash, log } });
     return worker;
   };
@@ -49,9 +49,11 @@ function openLink({ onOpen, onText, onPicture, onClose }) {
           if (data.open) own.postMessage({ judge: [number, name] });
           else if (data.judged) { worker.postMessage({ judged: data.judged }); own.terminate(); }
         };
-      } else if (data.problem) { worker.terminate(); onClose(data.problem); }
+      } else if (data.problem) fail(data.problem);
     };
   };
+  /** Ends the Worker, which cannot go on. */
+  const fail = why => { worker?.terminate(); onClose(why); };
   const request = message => new Promise((done, failed) => {
     asked.set(++number, { done, failed });
     worker.postMessage(message(number));
@@ -62,6 +64,7 @@ function openLink({ onOpen, onText, onPicture, onClose }) {
   return {
     send(text) { worker?.postMessage({ command: text }); },
     ask: path => request(number => ({ ask: [number, path] })),
+    fail,
     /** Begins again, after the Worker has ended. */
     restart() { worker?.terminate(); judge?.terminate(); open(); },
     /** Says what a file is, as JSON; the bench goes on with it. */

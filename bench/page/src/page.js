@@ -256,15 +256,15 @@ if (link.drop) {
 }
 
 /** `#play=citybus/fire` plays a scenario, `#vehicle=jiulong` starts a vehicle; once, when the bench is there. */
-let wanted = new URLSearchParams(location.hash.slice(1));
+let linked = new URLSearchParams(location.hash.slice(1));
 function followHash() {
-  const [vehicle, scenario] = (wanted.get("play") ?? wanted.get("vehicle") ?? "").split("/");
+  const [vehicle, scenario] = (linked.get("play") ?? linked.get("vehicle") ?? "").split("/");
   if (!vehicle || !catalog) return;
-  if (catalog.vehicle !== vehicle) { if (catalog.vehicles.some(({ name }) => name === vehicle)) send({ do: "start", vehicle }); else wanted = new URLSearchParams(); return; }
-  wanted = new URLSearchParams();
+  if (catalog.vehicle !== vehicle) { if (catalog.vehicles.some(({ name }) => name === vehicle)) send({ do: "start", vehicle }); else linked = new URLSearchParams(); return; }
+  linked = new URLSearchParams();
   if (scenario) { $("scenario").value = scenario; send({ do: "play", name: scenario }); }
 }
-addEventListener("hashchange", () => { wanted = new URLSearchParams(location.hash.slice(1)); followHash(); });
+addEventListener("hashchange", () => { linked = new URLSearchParams(location.hash.slice(1)); followHash(); });
 
 let noticeTimer;
 function notice(text) {
