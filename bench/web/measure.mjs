@@ -1,4 +1,5 @@
-// Runs the module of a site in Node: node measure.mjs FOLDER VEHICLE SECONDS prints the numbers of a drive.
+// Runs the module of a site in Node: node measure.mjs FOLDER VEHICLE SECONDS prints the numbers of a drive, then how
+// many milliseconds it took.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
@@ -14,6 +15,9 @@ const put = bytes => {
 };
 put(readFileSync(join(folder, "cluster.bin"))); wasm.take_flash();
 put(new TextEncoder().encode(vehicle));
+const started = performance.now();
 const isOk = wasm.measure(Number(seconds));
+const took = performance.now() - started;
 console.log(text(wasm.outbox(), wasm.outbox_len()));
+console.log(took);
 process.exit(isOk ? 0 : 1);

@@ -62,6 +62,7 @@ struct Tool {
 /// What the tests need beside Rust and Python.
 const TOOLS: &[Tool] = &[
     Tool { names: &["qemu-system-arm"], package: "qemu-system-arm" },
+    Tool { names: &["node"], package: "nodejs" },
     Tool { names: &["chromium", "chromium-browser", "google-chrome"], package: "chromium" },
 ];
 

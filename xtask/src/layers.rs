@@ -28,6 +28,10 @@ const HARDWARE: &[&str] = &[
     "mipidsi",
 ];
 
+/// Crates that a browser has no use for, or no place.
+const IN_BROWSER: &[&str] =
+    &["axum", "tokio", "rustix", "socketcan", "rp2040-hal", "rtic", "cortex-m", "mcp2515", "mipidsi"];
+
 const LAYERS: &[Layer] = &[
     Layer { name: "surroundings", may_use: &[], never: HARDWARE },
     Layer { name: "protocol-core", may_use: &[], never: HARDWARE },
@@ -48,12 +52,26 @@ const LAYERS: &[Layer] = &[
     Layer {
         name: "bench",
         may_use: &["cluster", "protocol-core", "surroundings", "virtual-vehicle"],
-        never: HARDWARE,
+        never: &["axum", "tokio", "rp2040-hal", "rtic", "mcp2515", "mipidsi"],
+    },
+    Layer {
+        name: "bench-page",
+        may_use: &["bench", "cluster", "protocol-core", "virtual-vehicle"],
+        never: IN_BROWSER,
+    },
+    Layer { name: "bench-host", may_use: &["bench", "bench-page", "virtual-vehicle"], never: HARDWARE },
+    Layer {
+        name: "bench-web",
+        may_use: &["bench", "bench-page", "protocol-core", "vehicle-compiler", "virtual-vehicle"],
+        never: IN_BROWSER,
     },
     Layer {
         name: "xtask",
         may_use: &[
             "bench",
+            "bench-host",
+            "bench-page",
+            "bench-web",
             "cluster",
             "fontgen",
             "protocol-core",

@@ -18,6 +18,8 @@ use flate2::write::GzEncoder;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Instant;
+use surroundings::need;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -48,13 +50,13 @@ pub struct Options {
 }
 
 /// What was built.
-pub struct Site {
+struct Site {
     /// The folder, with `index.html`.
-    pub folder: PathBuf,
+    folder: PathBuf,
     /// The one file.
-    pub single: PathBuf,
+    single: PathBuf,
     /// Image of the firmware's flash.
-    pub flash: Vec<u8>,
+    flash: Vec<u8>,
 }
 
 /// One part of the site.
@@ -68,20 +70,29 @@ struct Part {
 /// # Errors
 /// If a part cannot be built or written, or weighs more than its budget.
 pub fn run(options: &Options) -> Result<()> {
-    let out = crate::output_folder()?;
-    let site = build(&options.out.clone().unwrap_or_else(|| out.join("site")), &out.join("bench.html"))?;
-    match options.single {
-        true => say!("{}", site.single.display())?,
-        false => say!("{}", site.folder.display())?,
+    let site = build(options.out.as_deref())?;
+    if options.check {
+        compare(&site)?;
     }
-    if options.check { compare(&site) } else { Ok(()) }
+    say!("{}", if options.single { &site.single } else { &site.folder }.display())?;
+    Ok(())
+}
+
+/// Builds the site for the tests, and compares its module with this machine.
+///
+/// # Errors
+/// Like [`run`], and if a number differs.
+pub fn build_and_compare() -> Result<()> {
+    compare(&build(None)?)
 }
 
 /// Builds both forms.
 ///
 /// # Errors
 /// Like [`run`].
-pub fn build(folder: &Path, single: &Path) -> Result<Site> {
+fn build(folder: Option<&Path>) -> Result<Site> {
+    let out = crate::output_folder()?;
+    let (folder, single) = (folder.map_or_else(|| out.join("site"), Path::to_owned), out.join("bench.html"));
     let elf = firmware::build(&firmware::Options::default())?.elf;
     let flash = image::load_elf(&elf)?;
     let recording = workspace::root().join(RECORDING);
@@ -95,7 +106,7 @@ pub fn build(folder: &Path, single: &Path) -> Result<Site> {
         },
     ];
     let page = with_policy(&html(Link::Worker))?;
-    std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+    std::fs::create_dir_all(&folder).with_context(|| format!("cannot create {}", folder.display()))?;
     let write = |name: &str, bytes: &[u8]| {
         let path = folder.join(name);
         std::fs::write(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
@@ -126,12 +137,12 @@ pub fn build(folder: &Path, single: &Path) -> Result<Site> {
         ));
     }
     let whole = page.replacen("<!-- parts -->", &inside, 1);
-    std::fs::write(single, &whole).with_context(|| format!("cannot write {}", single.display()))?;
+    std::fs::write(&single, &whole).with_context(|| format!("cannot write {}", single.display()))?;
     weigh("bench.html", whole.len(), pack(whole.as_bytes())?.len())?;
     if !wrong.is_empty() {
         bail!("{}", wrong.join("\n"));
     }
-    Ok(Site { folder: folder.to_owned(), single: single.to_owned(), flash })
+    Ok(Site { folder, single, flash })
 }
 
 /// Puts the policy where a browser reads it first.
@@ -178,27 +189,33 @@ fn module() -> Result<Vec<u8>> {
 }
 
 /// Virtual seconds that are compared.
-const SECONDS: u64 = 5;
+const SECONDS: u64 = 10;
 
 /// Drives every vehicle in Node and here; all numbers must be equal.
 fn compare(site: &Site) -> Result<()> {
     if !workspace::has("node") {
-        bail!("the comparison runs the module in Node: `apt-get install nodejs`");
+        need::NODE.skip("the module in Node");
+        return Ok(());
     }
     let script = workspace::root().join("bench/web/measure.mjs");
     for kind in virtual_vehicle::Kind::ALL {
         let mut node = Command::new("node");
         node.arg(&script).arg(&site.folder).arg(kind.name()).arg(SECONDS.to_string());
-        let there = workspace::capture(&mut node)?;
+        let answer = workspace::capture(&mut node)?;
+        let (there, took) = answer.trim().split_once('\n').context("Node's answer has two lines")?;
+        let took = took.parse::<f64>().context("Node tells how long it took")? / 1e3;
+        let started = Instant::now();
         let here = bench_web::drive(&site.flash, kind.name(), SECONDS).map_err(anyhow::Error::msg)?;
-        if there.trim() != here {
-            bail!(
-                "{}: the module in Node and this machine differ:\n  {}\n  {here}",
-                kind.name(),
-                there.trim()
-            );
+        let own = started.elapsed().as_secs_f64();
+        if there != here {
+            bail!("{}: the module in Node and this machine differ:\n  {there}\n  {here}", kind.name());
         }
+        let (speed, part) = (SECONDS as f64 / took, own / took);
         say!("equal in Node and here: {here}")?;
+        say!(
+            "  {speed:.1} virtual seconds per second in Node, {:.0} % of this program's speed",
+            part * 100.0
+        )?;
     }
     Ok(())
 }

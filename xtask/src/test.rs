@@ -1,7 +1,7 @@
 //! Runs every test, with what the tests need.
 
 use crate::steps::Steps;
-use crate::{firmware, python, workspace};
+use crate::{firmware, python, site, workspace};
 use anyhow::{Context, Result};
 use clap::Args;
 use surroundings::need;
@@ -15,7 +15,9 @@ pub struct Options {
 }
 
 /// Packages whose tests run the firmware's image.
-const WITH_IMAGE: &[&str] = &["bench", "xtask"];
+const WITH_IMAGE: &[&str] = &["bench", "bench-host", "xtask"];
+/// Package whose tests open the site.
+const WITH_SITE: &[&str] = &["bench-host"];
 /// Packages whose tests ask a Python witness.
 const WITH_WITNESS: &[&str] = &["bench", "protocol-core", "virtual-vehicle", "xtask"];
 
@@ -46,6 +48,9 @@ pub fn run_steps(steps: &mut Steps, arguments: &[String]) -> Result<()> {
             }
             Ok(())
         })?;
+    }
+    if packages.have_any_of(WITH_SITE) {
+        steps.run("the bench in a browser is the bench on this machine", site::build_and_compare)?;
     }
     if packages.have_any_of(WITH_WITNESS) {
         steps.run("witnesses (cantools, python-can)", || {
@@ -147,6 +152,7 @@ mod tests {
             ("--package=cluster", false, false),
             ("--package cluster -- -p bench", false, false),
             ("-p cluster -p bench", true, true),
+            ("-p bench-host", true, false),
             ("-p=bench@0.1.0", true, true),
             ("-p ben*", true, true),
             ("--workspace --exclude bench", true, true),
@@ -170,7 +176,9 @@ mod tests {
     fn the_lists_are_the_packages_whose_tests_ask() {
         let manifest = workspace::root().join("Cargo.toml");
         let metadata = MetadataCommand::new().manifest_path(manifest).no_deps().exec().unwrap();
-        for (list, words) in [(WITH_IMAGE, "CLUSTER_ELF"), (WITH_WITNESS, "need::witness(")] {
+        for (list, words) in
+            [(WITH_IMAGE, "CLUSTER_ELF"), (WITH_SITE, "bench.html"), (WITH_WITNESS, "need::witness(")]
+        {
             let asks = metadata.packages.iter().filter(|package| {
                 let folder = package.manifest_path.as_std_path().parent().unwrap();
                 names(&folder.join("tests"), words)

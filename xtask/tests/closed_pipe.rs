@@ -45,6 +45,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("listen", "prints by what it hears: tools_listen.rs"),
     ("run", "needs the firmware"),
     ("screens", "what it prints is of `cargo test`"),
+    ("site", "builds the firmware and the browser's module"),
     ("size", "builds the firmware"),
     ("store", "needs the image of a flash: tools_store.rs"),
     ("tasks", "builds the firmware and drives it for a minute"),

@@ -9,19 +9,20 @@ mod gate;
 mod judge;
 mod screens;
 mod serve;
+mod told;
 
 use anyhow::{Context, Result, anyhow};
 use bench::rig::Rig;
 use bench::scenario;
 use bench_page::{Beginning, Command, Judge, Library, Session, Update};
 use judge::JudgeThread;
-use serve::{Latest, Told};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, TryRecvError};
 use std::thread::JoinHandle;
 use std::time::Instant;
 use tokio::sync::{broadcast, oneshot, watch};
+use told::{Latest, Told};
 use virtual_vehicle::Kind;
 
 /// Commands that are obeyed between two slices.

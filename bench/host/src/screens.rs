@@ -3,7 +3,7 @@
 //! Eight times as wide and high a picture is 15 MB of pixels and costs as much as many slices of virtual time. However
 //! many are asked for, one is made at a time, and one of the same picture and size is made once.
 
-use crate::serve::Latest;
+use crate::told::Latest;
 use anyhow::Result;
 use axum::body::Bytes;
 use bench::chips::picture::Picture;

@@ -5,6 +5,7 @@
 
 use crate::gate;
 use crate::screens::Screens;
+use crate::told::{Latest, Told};
 use axum::body::Bytes;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::extract::{Path, Request, State};
@@ -13,9 +14,8 @@ use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::middleware::{self, Next};
 use axum::response::{Html, IntoResponse, Response};
 use axum::routing::get;
-use bench::chips::picture::Picture;
-use bench_page::{Command, Link, Recording};
-use std::sync::{Arc, LazyLock, mpsc};
+use bench_page::{Command, Link};
+use std::sync::{LazyLock, mpsc};
 use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::{broadcast, watch};
 
@@ -24,27 +24,6 @@ static PAGE: LazyLock<String> = LazyLock::new(|| bench_page::html(Link::Socket))
 
 /// Largest command that a page may send, in bytes.
 const COMMAND_MAX: usize = 4_096;
-
-/// What is told to every page.
-#[derive(Clone, Debug)]
-pub(crate) enum Told {
-    /// A picture as PNG.
-    Picture(Bytes),
-    /// Catalog, state or notice as JSON.
-    Text(Arc<str>),
-}
-
-/// What a page must know that has just come, and what files are made of.
-#[derive(Clone, Default)]
-pub(crate) struct Latest {
-    pub(crate) catalog: Arc<str>,
-    /// What the panel shows, as PNG; empty = nothing was told yet.
-    pub(crate) picture: Bytes,
-    /// The same as pixels.
-    pub(crate) shown: Option<Arc<Picture>>,
-    /// The last recording that has ended.
-    pub(crate) recorded: Option<Recording>,
-}
 
 /// What a handler can reach.
 #[derive(Clone)]

@@ -112,8 +112,8 @@ fn keys_alone_drive_it_in_both_languages() {
 
 #[test]
 fn a_link_plays_a_scenario_that_a_second_worker_judges() {
-    let Some(mut visit) = open_single("#play=jiulong/turn_signals", 1440, 900) else { return };
-    visit.browser.wait_for("catalog.vehicle === 'jiulong' && state.playing?.name === 'turn_signals'");
+    let Some(mut visit) = open_single("#play=jiulong/gears", 1440, 900) else { return };
+    visit.browser.wait_for("catalog.vehicle === 'jiulong' && state.playing?.name === 'gears'");
     visit.browser.eval("send({ do: 'speed', factor: 0 })");
     visit
         .browser

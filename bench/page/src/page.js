@@ -84,6 +84,7 @@ const WORDS = {
   stopped: ["台架已停止：", "The bench has stopped: "],
   connection: ["与台架的连接已断开，正在重连……", "Connection to the bench lost; trying again ..."],
   full: ["录制已满", "the recording is full"],
+  starting: ["台架正在启动……", "The bench starts ..."],
   open_file: ["打开文件……", "Open a file ..."],
   open_hint: ["录制、DBC 或固件 ELF；文件不会离开本机", "A recording, a DBC or a firmware ELF; it never leaves this machine"],
   local_only: ["文件只在此浏览器内读取，不会上传。", "The file is read in this browser only; nothing is uploaded."],
@@ -810,6 +811,7 @@ function freeze(on) {
 // --- language, tabs, keys ------------------------------------------------------------------------------------------
 
 function translate() {
+  $("bezel").dataset.starting = word("starting");
   document.documentElement.lang = language === "zh" ? "zh-CN" : "en";
   document.title = word("title");
   for (const element of document.querySelectorAll("[data-t]")) element.textContent = word(element.dataset.t);

@@ -135,7 +135,7 @@ pub extern "C" fn turn() -> f64 {
 /// 3 = the name of a scenario to judge, see [`number`].
 #[unsafe(no_mangle)]
 pub extern "C" fn next() -> u32 {
-    with(|module| match module.desk.as_mut().and_then(Desk::next) {
+    with(|module| match module.desk.as_mut().and_then(Desk::next_out) {
         None => 0,
         Some(Out::Text(text)) => {
             module.outbox = text.as_bytes().to_vec();

@@ -99,7 +99,7 @@ impl Desk {
     }
 
     /// Takes what is to be told next.
-    pub fn next(&mut self) -> Option<Out> {
+    pub fn next_out(&mut self) -> Option<Out> {
         if let Some((number, name)) = self.court.take() {
             return Some(Out::Judge(number, name));
         }

@@ -172,11 +172,11 @@ pub(crate) fn decode(run_time: &RunTime, log: &Log) -> (Vec<Decoded>, usize) {
         };
         let data = frame.padded();
         for at in 0..message.signals.len() {
-            if !message.carries(at, &data) {
+            if !message.carries(at, data) {
                 continue;
             }
             let signal = &message.signals[at];
-            let raw = signal.raw(&data);
+            let raw = signal.raw(data);
             let value = signal.word(raw).map_or_else(|| signal.value(raw), |word| format!("{word} ({raw})"));
             let row = rows.entry((index, at)).or_insert_with(|| Decoded {
                 message: message.name.clone(),

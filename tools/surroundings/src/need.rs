@@ -26,6 +26,8 @@ pub struct Need {
 /// A second opinion on the emulated core.
 pub const QEMU: Need =
     Need { name: "qemu-system-arm", advice: "`apt-get install qemu-system-arm`", may_lack_in_ci: None };
+/// A second place for the browser's module.
+pub const NODE: Need = Need { name: "Node", advice: "`apt-get install nodejs`", may_lack_in_ci: None };
 /// A browser in front of the page.
 pub const CHROMIUM: Need = Need {
     name: "Chromium",

@@ -4,6 +4,8 @@
 //! and every request that leaves this machine. Source: Chrome DevTools Protocol, domains Page, Runtime, Input, Log,
 //! Network, Emulation.
 
+#![allow(dead_code, reason = "each test file uses a part")]
+
 use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, ErrorKind};
