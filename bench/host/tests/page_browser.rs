@@ -393,15 +393,15 @@ fn gear_d_by_the_mouse_and_the_up_arrow_drive() {
 fn up_and_down_are_the_pedals_whatever_has_the_focus_and_change_nothing_else() {
     let Some(mut visit) = visit(1440, 900) else { return };
     visit.wait_ready();
-    visit.browser.click("#frames [data-name=VCU1]");
-    visit.browser.wait_for("!$('decoded').hidden");
-    // Nothing moves by itself, and everything that can have the focus is to be seen.
+    // Nothing moves by itself, a row not either while it is clicked, and everything that can have the focus is to be seen.
     visit.browser.click("#pause");
     visit.browser.wait_for("state.paused");
+    visit.browser.click("#frames [data-name=VCU1]");
+    visit.browser.wait_for("!$('decoded').hidden");
     visit.browser.eval("for (const details of document.querySelectorAll('details')) details.open = true");
     visit.browser.eval(
-        "{ window.sent = []; window.own = null; const through = socket.send.bind(socket); \
-           socket.send = text => { sent.push(JSON.parse(text)); through(text); }; \
+        "{ window.sent = []; window.own = null; const through = link.send.bind(link); \
+           link.send = text => { sent.push(JSON.parse(text)); through(text); }; \
            window.focusable = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex]')] \
              .filter(e => !e.disabled && e.checkVisibility()); \
            window.isTyped = e => e.matches('input[type=number], input[type=search]'); \
