@@ -478,6 +478,7 @@ fn faults() -> String {
             match fault.voice {
                 Voice::Silent => String::new(),
                 Voice::AsSevere => "of its severity".into(),
+                Voice::Moving => "of its severity, not while the vehicle stands".into(),
                 Voice::Fire => "fire".into(),
             },
             if fault.is_kept { "kept".into() } else { String::new() },
@@ -520,14 +521,14 @@ fn word(value: Value, number: i32) -> String {
 /// Returns what makes a report by this route, in words.
 fn condition(route: &Route) -> String {
     let path = |value: Value| format!("`{}`", value.path());
+    let any = |values: &[Value]| values.iter().map(|value| path(*value)).collect::<Vec<_>>().join(" or ");
     let mut text = match route.when {
         When::Level(value) => format!("{} above none", path(value)),
         When::Code(value) => format!("{} not 0", path(value)),
         When::Is(value, number) => format!("{} = {}", path(value), word(value, number)),
-        When::AnyOf(values) => {
-            let paths: Vec<String> = values.iter().map(|value| path(*value)).collect();
-            format!("{} = yes", paths.join(" or "))
-        }
+        When::AnyIs(values, number) => format!("{} = {}", any(values), word(values[0], number)),
+        When::AnyBelow(values, limit) => format!("{} below {}", any(values), values[0].unit().show(limit)),
+        When::Moving(flags) => format!("{} = yes, while {} is above 0", any(flags), path(Value::VehicleSpeed)),
         When::Bits(value) => format!("a bit of {}, its code is its number from 1", path(value)),
         When::Silent(node) => format!("an expected message of {} is missing", node.key()),
         When::HvOff => format!("{} = yes, through silence too", path(Value::BatteryHvOffRequest)),

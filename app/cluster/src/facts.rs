@@ -37,6 +37,11 @@ impl Facts<'_> {
         self.reception.readings.get(value).is_some_and(|(_, source)| source != Readings::LOCAL)
     }
 
+    /// Returns whether the vehicle moves; `None` = its speed is not known.
+    pub(crate) fn moves(&self) -> Option<bool> {
+        self.shown(Value::VehicleSpeed).value().map(|speed| speed != 0)
+    }
+
     /// Returns how long ago `node` gave its last sign of life, in milliseconds; never = since the start.
     fn silence_ms(&self, node: Node) -> u64 {
         self.now.since(self.reception.last_sign(self.vehicle, node).unwrap_or(self.started))

@@ -111,12 +111,14 @@ pub(crate) struct Faults {
     fire: Option<(u16, Millis)>,
     /// How far a request for high voltage off has come.
     phase: Option<Phase>,
+    /// The vehicle is known to stand.
+    stands: bool,
     history: History,
 }
 
 impl Faults {
     pub(crate) const fn new() -> Self {
-        Self { active: Vec::new(), turn: None, fire: None, phase: None, history: History::new() }
+        Self { active: Vec::new(), turn: None, fire: None, phase: None, stands: false, history: History::new() }
     }
 
     /// Latches fire if either route reports it (BUS-116); called for every frame, so that none is missed.
@@ -141,6 +143,7 @@ impl Faults {
                 Report::Undefined => {}
             }
         }
+        self.stands = facts.moves() == Some(false);
         self.follow(facts.timers.hv_off.phase(facts.now));
         self.take_turn(facts.now);
     }
@@ -283,7 +286,11 @@ impl Faults {
         if self.fire.is_some() {
             return Some(Sound::Fire);
         }
-        let is_voiced = |by: &Reporter| by.row.voice == Voice::AsSevere;
+        let is_voiced = |by: &Reporter| match by.row.voice {
+            Voice::AsSevere => true,
+            Voice::Moving => !self.stands,
+            Voice::Silent | Voice::Fire => false,
+        };
         let audible = |fault: &&Fault| !fault.heard && fault.reporter().is_some_and(is_voiced);
         match self.told().filter(audible).map(|fault| fault.severity).max()? {
             Severity::None => None,

@@ -18,4 +18,5 @@ mod turns;
 
 pub use memory::{ENTRY_BYTES, Entry, HISTORY};
 pub use named::Named;
+pub(crate) use table::AIR_LOW;
 pub use table::{FaultId, Grade, Order, ROWS, Route, Row, Voice, When, Words};

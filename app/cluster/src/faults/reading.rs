@@ -43,7 +43,12 @@ impl Reporter {
             When::Level(value) => value_of(value).map(|level| level > 0),
             When::Code(value) => value_of(value).map(|code| code != 0),
             When::Is(value, wanted) => value_of(value).map(|number| number == wanted),
-            When::AnyOf(values) => any_of(facts, values),
+            When::AnyIs(values, wanted) => any(facts, values, |number| number == wanted),
+            When::AnyBelow(values, limit) => any(facts, values, |number| number < limit),
+            When::Moving(flags) => match facts.moves() {
+                Some(true) => any(facts, flags, |number| number == 1),
+                _ => Some(false),
+            },
             When::HvOff => Some(facts.timers.hv_off.phase(facts.now).is_some()),
             When::ChargerLost => Some(facts.timers.charger.is_lost()),
             When::HvacLost => Some(facts.has_lost_hvac()),
@@ -114,10 +119,10 @@ pub(crate) fn fire_code(facts: &Facts<'_>) -> Option<u16> {
     })
 }
 
-/// Returns whether a flag is set; `None` = none is, and one that was sent cannot be believed.
-fn any_of(facts: &Facts<'_>, values: &[Value]) -> Option<bool> {
+/// Returns whether a value is so; `None` = none is, and one that was sent cannot be believed.
+fn any(facts: &Facts<'_>, values: &[Value], is_so: impl Fn(i32) -> bool) -> Option<bool> {
     let mut sent = values.iter().map(|&value| facts.shown(value)).filter(|shown| *shown != Shown::Never);
-    if sent.clone().any(|shown| shown == Shown::Value(1)) {
+    if sent.clone().any(|shown| shown.value().is_some_and(&is_so)) {
         return Some(true);
     }
     sent.all(|shown| shown.value().is_some()).then_some(false)

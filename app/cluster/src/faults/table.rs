@@ -10,7 +10,7 @@
 
 use crate::text::Text;
 use protocol_core::model::{Severity, Value};
-use protocol_core::states::{Mode, Run};
+use protocol_core::states::{Charge, Contactor, Mode, Run};
 use protocol_core::vehicle::Node;
 
 /// What makes a report.
@@ -22,8 +22,12 @@ pub enum When {
     Code(Value),
     /// The value is this.
     Is(Value, i32),
-    /// One of the flags is set.
-    AnyOf(&'static [Value]),
+    /// One of the values is this.
+    AnyIs(&'static [Value], i32),
+    /// One of the values is below this.
+    AnyBelow(&'static [Value], i32),
+    /// One of the flags is set while the vehicle is known to move.
+    Moving(&'static [Value]),
     /// Alarm bits: each is a fault of its own, bit n = code n + 1.
     Bits(Value),
     /// An expected message of the node is missing.
@@ -126,7 +130,7 @@ const fn flag(value: Value, grade: Grade) -> Route {
 }
 
 const fn any_of(values: &'static [Value], grade: Grade) -> Route {
-    Route::new(When::AnyOf(values), grade)
+    Route::new(When::AnyIs(values, 1), grade)
 }
 
 const fn bits(value: Value, level: Value) -> Route {
@@ -209,6 +213,8 @@ pub enum Voice {
     Silent,
     /// The sound of its severity.
     AsSevere,
+    /// The same, unless the vehicle is known to stand.
+    Moving,
     /// The sound of fire, which cannot be silenced.
     Fire,
 }
@@ -283,6 +289,27 @@ use Severity::{Derate, Stop, Warn};
 use Value as V;
 use Words::{Levels, Phases};
 
+/// Air pressure, in 0.01 MPa, below which a bus may not start off (GB 7258: 400 kPa where nothing else is marked).
+pub(crate) const AIR_LOW: i32 = 40;
+
+/// What opens and closes high-voltage circuits, as battery, vehicle controller and contactor box report it.
+const CONTACTORS: &[Value] = &[
+    V::ContactorMain,
+    V::ContactorNegative,
+    V::ContactorCharge1,
+    V::ContactorCharge2,
+    V::ContactorHeater,
+    V::BoxMotor,
+    V::BoxBattery,
+    V::BoxMotorPrecharge,
+    V::BoxDefrost,
+    V::BoxHeater,
+    V::BoxAccessory,
+    V::BoxAccessoryPrecharge,
+    V::BoxCharge1,
+    V::BoxCharge2,
+];
+
 #[rustfmt::skip]
 faults! {
     /// Level of the vehicle controller (BUS-R050).
@@ -339,7 +366,7 @@ faults! {
     /// The cluster's own smoke detector.
     Smoke 16 "smoke", Turn(160), one("烟雾报警", "Smoke alarm"), AsSevere, true: flag(V::BodySmoke, Always(Stop));
     /// Steering pump: status 10 (BUS-R119).
-    Steering 17 "steering", Turn(180), one("助力系统故障", "Steering assistance fault"), Silent, true:
+    Steering 17 "steering", Turn(180), one("助力系统故障", "Steering assistance fault"), Moving, true:
         component(V::SteeringState, V::SteeringFaultCode);
     /// DC/DC converter: status 10 (BUS-R123), or its flag.
     Dcdc 18 "dcdc", Turn(190), one("DCDC 系统故障", "DC/DC converter fault"), Silent, true:
@@ -392,6 +419,19 @@ faults! {
     /// The vehicle reports limp mode; it does not say why.
     LimpMode 35 "limp_mode", Turn(325), one("整车限功率行车模式", "Limp mode"), AsSevere, true:
         Route::new(When::Is(V::VehicleMode, Mode::Limp.number()), Always(Derate));
+    /// Charging has ended by a fault (BUS-75).
+    ChargeFault 36 "charge_fault", Turn(285), one("充电故障 充电停止", "Charging ended by a fault"), AsSevere, true:
+        Route::new(When::Is(V::ChargeState, Charge::Fault.number()), Always(Warn));
+    /// Brake air is low: a bus may not start off with it.
+    AirLow 37 "air_low", Turn(215), one("制动气压低", "Brake air pressure low"), Moving, true:
+        Route::new(When::AnyBelow(&[V::AirFront, V::AirRear], AIR_LOW), Always(Warn));
+    /// A contactor does not open any more (BUS-R068).
+    Welded 38 "contactor_welded", Turn(145), one("高压接触器粘连", "HV contactor welded"), AsSevere, true:
+        Route::new(When::AnyIs(CONTACTORS, Contactor::Welded.number()), Always(Warn)).unless_sent(V::BatteryAlarms);
+    /// A door is open while the vehicle moves.
+    DoorOpen 39 "door_open", Turn(166), one("行驶中车门打开", "Door open while moving"), AsSevere, true:
+        Route::new(When::Moving(&[V::BodyDoorFront, V::BodyDoorMiddle, V::BodyDoorRear, V::BodyDoorHatch]),
+            Always(Warn));
     /// The driver's seat is empty in a driving gear (BUS-R129).
     DriverLeft 60 "driver_left", Turn(165), one("驾驶员离座 请换空挡", "Seat empty in gear: select N"), AsSevere, true:
         flag(V::ClusterDriverLeft, Always(Warn));
@@ -408,7 +448,7 @@ faults! {
     SilentDcdc 67 "silent_dcdc", Turn(460), one("DCDC 通信中断", "No communication: DC/DC"), Silent, true:
         silent(Node::Dcdc, Warn);
     /// No communication with the steering pump.
-    SilentSteering 68 "silent_steering", Turn(430), one("助力系统通信中断", "No communication: steering"), Silent, true:
+    SilentSteering 68 "silent_steering", Turn(430), one("助力系统通信中断", "No communication: steering"), Moving, true:
         silent(Node::Steering, Warn);
     /// No communication with the air compressor.
     SilentCompressor 69 "silent_compressor", Turn(440), one("空压机通信中断", "No communication: compressor"), Silent, true:
@@ -496,7 +536,7 @@ mod tests {
         assert_eq!(of(level(battery)), (When::Level(battery), Level(battery)), "a level grades itself");
         assert_eq!(of(flag(V::HvacFault, Always(Warn))), (When::Is(V::HvacFault, 1), Always(Warn)));
         let fans: &[Value] = &[V::CoolingFanFault];
-        assert_eq!(of(any_of(&[V::CoolingFanFault], Always(Warn))), (When::AnyOf(fans), Always(Warn)));
+        assert_eq!(of(any_of(&[V::CoolingFanFault], Always(Warn))), (When::AnyIs(fans, 1), Always(Warn)));
         let alarms = (When::Bits(V::BatteryAlarms), Alarm(battery));
         assert_eq!(of(bits(V::BatteryAlarms, battery)), alarms);
         let dcdc = component(V::DcdcState, V::DcdcFaultCode);

@@ -7,7 +7,7 @@
 //! BUS-R022 to BUS-R025, BUS-R096, BUS-39, BUS-75, BUS-108 to BUS-111, BUS-R128; JL-R013; C5-R012; readings JL-23, JL-24,
 //! JL-56, C5-34; GB 7258 (air pressure).
 
-use crate::faults::{FaultId, When as Reports};
+use crate::faults::{AIR_LOW, FaultId, When as Reports};
 use protocol_core::model::Value;
 use protocol_core::states::{Charge, Contactor};
 
@@ -110,9 +110,9 @@ const fn value_of(fault: FaultId, place: usize) -> Condition {
         let values = match routes[route].when {
             Reports::Level(value) if at == 0 => return at_least(value, 1),
             Reports::Is(value, number) if at == 0 => return is(value, number),
-            Reports::AnyOf(values) if at < values.len() => return is(values[at], 1),
+            Reports::AnyIs(values, number) if at < values.len() => return is(values[at], number),
             Reports::Level(_) | Reports::Is(..) => 1,
-            Reports::AnyOf(values) => values.len(),
+            Reports::AnyIs(values, _) => values.len(),
             _ => panic!("a telltale follows values only"),
         };
         (route, before) = (route + 1, before + values);
@@ -172,8 +172,6 @@ macro_rules! telltales {
 /// State of charge below which the telltale lights and above which it goes out, in 0.1 % (BUS-R096).
 const SOC_LOW: i32 = 200;
 const SOC_LOW_CLEAR: i32 = 220;
-/// Air pressure, in 0.01 MPa, below which a bus may not start off (GB 7258: 400 kPa where nothing else is marked).
-const AIR_LOW: i32 = 40;
 
 const OPEN: i32 = Contactor::Open.number();
 const CHARGING: i32 = Charge::Charging.number();

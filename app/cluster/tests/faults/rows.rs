@@ -36,6 +36,7 @@ impl Case {
     }
 
     fn sounds(&self) -> bool {
+        // The vehicle stands.
         self.row.voice == Voice::AsSevere
     }
 }
@@ -50,7 +51,9 @@ fn cases() -> Vec<Case> {
                 // What the cluster itself decides, no frame can say.
                 When::Is(value, _) if value.path().starts_with("cluster.") => continue,
                 When::Is(value, number) => (core::slice::from_ref(value), core::slice::from_ref(number)),
-                When::AnyOf(values) => (values, &[1]),
+                When::AnyIs(values, number) => (values, core::slice::from_ref(number)),
+                // What depends on the vehicle's motion has tests of its own, below.
+                When::AnyBelow(..) | When::Moving(_) => continue,
                 When::HvOff => (&[V::BatteryHvOffRequest], &[1]),
                 // Codes, bits, silence and fire have tests of their own; what the instrument finds in itself is in `own`.
                 When::Code(_) | When::Bits(_) | When::Silent(_) | When::Limps => continue,
@@ -81,6 +84,65 @@ fn every_fault_has_its_text_its_severity_and_its_sound_and_ends_with_its_cause()
         drive.keep(Node::Inverter, case.value, 0);
         drive.run(CYCLE);
         assert_eq!(drive.faults(), [], "{path}");
+    }
+}
+
+/// Speed in the model's unit, 1/256 km/h.
+const SLOW: i32 = 256;
+
+#[test]
+fn what_only_matters_in_motion_sounds_unless_the_vehicle_is_known_to_stand() {
+    let rows: Vec<&Row> = ROWS.iter().filter(|row| row.voice == Voice::Moving).collect();
+    assert!(rows.iter().any(|row| row.fault == FaultId::Steering), "steering is one of them");
+    for case in cases().iter().filter(|case| case.row.voice == Voice::Moving) {
+        let mut drive = healthy();
+        drive.keep(Node::Vcu, V::VehicleSpeed, 0);
+        drive.keep(Node::Inverter, case.value, case.number);
+        drive.run(CYCLE);
+        let path = case.value.path();
+        assert_eq!((drive.faults().len(), drive.sound()), (1, None), "{path}: it is said and does not sound");
+        drive.keep(Node::Vcu, V::VehicleSpeed, SLOW);
+        drive.run(CYCLE);
+        assert_eq!(drive.sound(), Some(Sound::Warn), "{path}: it sounds in motion");
+        drive.keep(Node::Vcu, V::VehicleSpeed, -SLOW);
+        drive.run(CYCLE);
+        assert_eq!(drive.sound(), Some(Sound::Warn), "{path}: backwards, too");
+        drive.hush(Node::Vcu);
+        drive.run(TIMEOUT + CYCLE);
+        assert!(drive.sound().is_some(), "{path}: at an unknown speed");
+    }
+}
+
+#[test]
+fn brake_air_is_low_below_its_limit_on_either_circuit() {
+    for value in [V::AirFront, V::AirRear] {
+        for (number, is_low) in [(39, true), (40, false), (0, true)] {
+            let mut drive = healthy();
+            drive.keep(Node::Inverter, V::AirFront, 80);
+            drive.keep(Node::Inverter, V::AirRear, 80);
+            drive.keep(Node::Inverter, value, number);
+            drive.run(CYCLE);
+            let said = drive.view().line.map(|line| line.named.fault);
+            assert_eq!(said == Some(FaultId::AirLow), is_low, "{} {number}", value.path());
+        }
+    }
+}
+
+#[test]
+fn an_open_door_is_said_in_motion_and_not_before_it() {
+    for door in [V::BodyDoorFront, V::BodyDoorMiddle, V::BodyDoorRear, V::BodyDoorHatch] {
+        let mut drive = healthy();
+        drive.keep(Node::Inverter, door, 1);
+        for (speed, is_said) in [(0, false), (SLOW, true), (-SLOW, true), (0, false)] {
+            drive.keep(Node::Vcu, V::VehicleSpeed, speed);
+            drive.run(CYCLE);
+            let said = drive.view().line.map(|line| line.named.fault);
+            assert_eq!(said == Some(FaultId::DoorOpen), is_said, "{} at {speed}", door.path());
+        }
+        drive.keep(Node::Vcu, V::VehicleSpeed, SLOW);
+        drive.keep(Node::Inverter, door, 0);
+        drive.run(CYCLE);
+        assert_eq!(drive.view().line, None, "{}: closed", door.path());
     }
 }
 
@@ -143,7 +205,7 @@ fn a_silent_node_has_its_line_its_severity_and_its_sound_and_ends_with_its_word(
         drive.run(TIMEOUT + CYCLE);
         let said = row.words.texts()[0].en;
         assert_eq!(drive.faults(), [(said, None, severity)], "{node:?}");
-        assert_eq!(drive.sound().is_some(), row.voice == Voice::AsSevere, "{node:?}");
+        assert_eq!(drive.sound().is_some(), row.voice == Voice::AsSevere, "{node:?}: the vehicle stands");
         drive.speak(node);
         drive.run(CYCLE + TICK);
         assert_eq!(drive.faults(), [], "{node:?}");
