@@ -21,7 +21,7 @@ use serde::ser::SerializeSeq;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Version of the records; raised with every change of [`Record`] that an older decoder would misread.
-pub const VERSION: u8 = 3;
+pub const VERSION: u8 = 4;
 
 /// Bytes of the longest record.
 const MAX_RECORD: usize = 144;
@@ -289,6 +289,8 @@ pub struct Screen {
     pub telltales: u32,
     /// The message line, if one is shown.
     pub line: Option<ScreenLine>,
+    /// A fault that came and went, until it is acknowledged.
+    pub unseen: Option<ScreenLine>,
 }
 
 /// The message line of the screen.

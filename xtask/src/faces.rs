@@ -259,6 +259,8 @@ impl Seen {
         note(new.charging != old.charging || new.consumption_whkm != old.consumption_whkm, "page energy");
         let rest = |view: &View| View {
             line: None,
+            unseen: None,
+            says_unseen: false,
             severity: View::default().severity,
             telltales: View::default().telltales,
             is_power_limited: false,

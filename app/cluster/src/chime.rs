@@ -10,7 +10,7 @@ use protocol_core::Millis;
 /// A sound of the cluster, the most urgent first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sound {
-    /// Fire in the traction battery; cannot be silenced.
+    /// Fire in the traction battery; acknowledged, it comes again.
     Fire,
     /// A fault that means stop.
     Stop,

@@ -28,7 +28,7 @@ use crate::trips::charge;
 use crate::trips::odometer::Odometer;
 use crate::trips::{self, Trips};
 use crate::view::page::Trip;
-use crate::view::{ActiveFault, Charging, Limp, Text, View};
+use crate::view::{ActiveFault, Charging, Limp, Line, Text, View};
 use protocol_core::model::{Gear, Readings, Severity, Shown, Value};
 use protocol_core::vehicle::{Node, Vehicle};
 use protocol_core::{CanFrame, Millis};
@@ -213,7 +213,7 @@ impl Cluster {
         lighting.tick(&facts);
         self.pages.follow(
             Situation {
-                is_alarming: matches!(self.faults.sound(), Some(Sound::Fire | Sound::Stop)),
+                is_alarming: self.faults.burns() || self.faults.sound() == Some(Sound::Stop),
                 plug: self.charging(now).map(|charging| charging.plug),
                 speed: self.shown(Value::VehicleSpeed, now),
             },
@@ -275,16 +275,17 @@ impl Cluster {
         }
     }
 
-    /// Silences what can be silenced; returns whether there was anything.
+    /// Silences what sounds and acknowledges what is over; returns whether there was anything.
     fn silence(&mut self, now: Millis) -> bool {
         let sounds =
             self.faults.sound().is_some() || self.timers.buzzer.sounds(self.vehicle.rules.buzzer_ms, now);
-        if sounds {
-            self.faults.acknowledge();
+        let is_asked = sounds || self.faults.unseen(self.vehicle, now).is_some();
+        if is_asked {
+            self.faults.acknowledge(now);
             self.timers.buzzer.silence();
             self.play(now);
         }
-        sounds
+        is_asked
     }
 
     /// Takes a short push of a button.
@@ -396,6 +397,7 @@ impl Cluster {
         let known = |value| self.reception.last_known(value);
         let faults = self.faults.line(self.vehicle, &self.timers, now);
         let traffic = self.traffic(now);
+        let unseen = self.faults.unseen(self.vehicle, now);
         let line = self.conditions.beside(traffic, faults, self.faults.misses_a_node(), self.vehicle, now);
         View {
             speed_kmh: shown(Value::VehicleSpeed)
@@ -427,6 +429,8 @@ impl Cluster {
             is_charge_low: self.lighting.lit().is_lit(Telltale::LowCharge),
             severity: self.faults.worst().max(line.map_or(Severity::None, |line| line.severity)),
             line,
+            unseen,
+            says_unseen: says_unseen(line, unseen, now),
             heartbeat: (now.0 / HEARTBEAT_MS) % 2 == 1,
             language: self.settings.language,
             theme: self.settings.theme,
@@ -473,4 +477,13 @@ impl Cluster {
         let limit = |(rule, capacity)| limp::limit_deciamps(rule, capacity);
         limps.then(|| Limp { limit_deciamps: self.vehicle.rules.limp.zip(capacity_ah).and_then(limit) })
     }
+}
+
+/// Returns whether the place of the message line is for a fault that is over: alone, or in every second turn beside a milder
+/// one that is not.
+fn says_unseen(line: Option<Line>, unseen: Option<Line>, now: Millis) -> bool {
+    /// Length of a turn, in milliseconds.
+    const TURN_MS: u64 = 1_000;
+    let Some(unseen) = unseen else { return false };
+    line.is_none_or(|line| line.severity < unseen.severity && now.0 / TURN_MS % 2 == 1)
 }

@@ -1,6 +1,7 @@
 //! From the state of the firmware to records of the PC link and to what the instrument takes in: conversions only.
 
 use cluster::own::Restart;
+use cluster::view::Line;
 use cluster::{Cluster, Controller, Counters, View};
 use pico::{Boot, Reset};
 use protocol_core::link::{
@@ -129,15 +130,20 @@ pub fn screen(view: &View, now_ms: u64) -> Record {
         limp_deciamps: view.limp.and_then(|limp| limp.limit_deciamps),
         plug: view.charging.map(|charging| charging.plug as u8),
         telltales: view.telltales.bits(),
-        line: view.line.map(|line| ScreenLine {
-            fault: line.named.fault.number(),
-            stage: line.named.stage,
-            code: line.named.code,
-            severity: line.severity as u8,
-            position: line.position,
-            count: line.count,
-        }),
+        line: view.line.map(line),
+        unseen: view.unseen.map(line),
     })
+}
+
+fn line(line: Line) -> ScreenLine {
+    ScreenLine {
+        fault: line.named.fault.number(),
+        stage: line.named.stage,
+        code: line.named.code,
+        severity: line.severity as u8,
+        position: line.position,
+        count: line.count,
+    }
 }
 
 /// Trips, consumption and range.

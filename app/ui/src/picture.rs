@@ -167,7 +167,16 @@ pub(crate) struct Message {
 }
 
 impl Message {
-    fn of(line: &Line, chip: Glyphs<CHIP_GLYPHS>, language: Language) -> Self {
+    /// Returns what stands in the place of the line: a fault that is over looks like information, after a word for that.
+    fn of_view(view: &View) -> Option<Self> {
+        let (line, before) = match view.unseen.filter(|_| view.says_unseen) {
+            Some(unseen) => (Line { severity: Severity::None, ..unseen }, said(words::WAS, view.language)),
+            None => (view.line?, ""),
+        };
+        Some(Self::of(&line, before, chip(view), view.language))
+    }
+
+    fn of(line: &Line, before: &'static str, chip: Glyphs<CHIP_GLYPHS>, language: Language) -> Self {
         let font = &fonts::MESSAGE;
         let mut code = Glyphs::EMPTY;
         if let Some(number) = line.code {
@@ -186,10 +195,12 @@ impl Message {
             band_right(chip.width) - layout::BAND_LEFT - tail.width - gap
         };
         // A text that is not cut comes before the count of turns.
-        if (room(&tail) + 1..=room(&code)).contains(&font.width(words)) {
+        let width = font.width(before) + font.width(words);
+        if (room(&tail) + 1..=room(&code)).contains(&width) {
             tail = code;
         }
         let mut text = Glyphs::EMPTY;
+        text.push_text(font, before, room(&tail));
         text.push_text(font, words, room(&tail));
         Self { severity: line.severity, text, tail, chip }
     }
@@ -225,7 +236,7 @@ const fn band_right(chip: u16) -> u16 {
 pub fn message_room(text: &str, code: Option<u16>) -> (u16, u16) {
     let named = Named { code, ..Named::of(FaultId::VehicleCode) };
     let line = Line { named, severity: Severity::Stop, text: Text::default(), code, position: 1, count: 9 };
-    let tail = Message::of(&line, Glyphs::EMPTY, Language::Chinese).tail.width;
+    let tail = Message::of(&line, "", Glyphs::EMPTY, Language::Chinese).tail.width;
     (fonts::MESSAGE.width(text), layout::BAND_RIGHT - layout::BAND_LEFT - tail - TAIL_GAP)
 }
 
@@ -319,7 +330,7 @@ impl Picture {
         let every = Self {
             theme: view.theme,
             language: view.language,
-            message: view.line.as_ref().map(|line| Message::of(line, chip(view), view.language)),
+            message: Message::of_view(view),
             severity: view.severity,
             telltales: view.telltales.in_turn(view.heartbeat),
             heartbeat: view.heartbeat,
@@ -800,7 +811,7 @@ mod tests {
             count: 12,
             ..line(Named::of(FaultId::VehicleCode))
         };
-        let message = Message::of(&line, Glyphs::EMPTY, Language::English);
+        let message = Message::of(&line, "", Glyphs::EMPTY, Language::English);
         let last = message.text.places[usize::from(message.text.length) - 1];
         assert_eq!(Some(last), fonts::MESSAGE.find('…'));
         let room = layout::BAND_RIGHT - layout::BAND_LEFT;
@@ -819,7 +830,7 @@ mod tests {
         for (view, named) in lines {
             for language in [Language::Chinese, Language::English] {
                 let line = Line { position: 3, count: 12, ..line(named) };
-                let message = Message::of(&line, chip(&view), language);
+                let message = Message::of(&line, "", chip(&view), language);
                 assert!(message.chip.width > 0);
                 let length = said(line.text, language).chars().count();
                 assert_eq!(usize::from(message.text.length), length, "{:?} is cut", line.text);

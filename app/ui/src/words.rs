@@ -16,6 +16,8 @@ pub(crate) const CELLS: Text = Text { zh: "单体 V °C", en: "Cell V °C" };
 pub(crate) const ODOMETER: Text = Text { zh: "总里程", en: "Total" };
 /// Drive power or torque is limited.
 pub(crate) const LIMITED: Text = Text { zh: "功率受限", en: "Limited" };
+/// Before a fault that is over.
+pub(crate) const WAS: Text = Text { zh: "曾报：", en: "Was: " };
 /// Torque may be sent.
 pub(crate) const READY: Text = same("READY");
 /// Unit of road speed.

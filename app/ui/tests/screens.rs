@@ -15,6 +15,11 @@ use protocol_core::vehicle::NO_VEHICLE;
 use std::{fs, path::Path};
 use ui::{HEIGHT, WIDTH};
 
+fn after_a_stop(view: View) -> View {
+    let line = line(Severity::Stop, "绝缘故障", "Insulation fault", 11, 1, 1);
+    View { line: None, severity: Severity::None, unseen: Some(line), says_unseen: true, ..view }
+}
+
 /// Returns 8-bit red, green and blue of 5-6-5 words, the full range used.
 fn rgb(words: &[u16]) -> Vec<u8> {
     let widen = |part: u16, bits: u32| (u32::from(part) * 255 / ((1 << bits) - 1)) as u8;
@@ -180,6 +185,9 @@ screens! {
     driving_en: english(common::driving());
     driving_day: day(common::driving());
     driving_day_en: day(english(common::driving()));
+    /// A STOP that is over and that nobody has acknowledged.
+    unseen: after_a_stop(common::driving());
+    unseen_day_en: day(english(after_a_stop(common::driving())));
     /// Three figures in every place.
     full_scale: View {
         soc_percent: Shown::Value(100),

@@ -338,7 +338,7 @@ impl Reader<'_> {
             self.fail("`never` needs an end: `until`".into());
         }
         for (table, never) in [(&step.expect, false), (&step.never, true)] {
-            for (path, value) in flat(table.as_ref(), &["line"]) {
+            for (path, value) in flat(table.as_ref(), &["line", "unseen"]) {
                 let wanted = Name::read(&path, self.kind)
                     .and_then(|name| self.wanted(&name, value).map(|wanted| (name, wanted)));
                 match wanted {
@@ -374,7 +374,7 @@ impl Reader<'_> {
             }
             Err(format!("`{name}` is never `{word}`; it is one of {}", there.join(", ")))
         };
-        if *name == Name::Line
+        if matches!(name, Name::Line | Name::Unseen)
             && value.as_str() != Some("none")
             && let Some(line) = WantedLine::read(value, self.kind)
         {

@@ -26,6 +26,8 @@ pub enum Name {
     Odometer,
     /// The message line.
     Line,
+    /// What came and went and was not acknowledged.
+    Unseen,
     /// Severity of the message line.
     Severity,
     /// A telltale.
@@ -77,11 +79,12 @@ impl Signal {
 }
 
 /// Names of one word.
-const PLAIN: [(&str, Name); 10] = [
+const PLAIN: [(&str, Name); 11] = [
     ("speed", Name::Speed),
     ("gear", Name::Gear),
     ("odometer", Name::Odometer),
     ("line", Name::Line),
+    ("unseen", Name::Unseen),
     ("severity", Name::Severity),
     ("sound", Name::Sound),
     ("countdown", Name::Countdown),
@@ -155,7 +158,8 @@ impl Name {
 
     /// Returns what a driver sees and hears, but for numbers that change all the time.
     pub fn on_screen() -> Vec<Self> {
-        let plain = [Self::Gear, Self::Line, Self::Sound, Self::Countdown, Self::Limp, Self::Page];
+        let plain =
+            [Self::Gear, Self::Line, Self::Unseen, Self::Sound, Self::Countdown, Self::Limp, Self::Page];
         plain.into_iter().chain(Telltale::ALL.iter().map(|it| Self::Telltale(*it))).collect()
     }
 
@@ -178,7 +182,7 @@ impl Name {
             Self::Speed => (true, missing()),
             Self::Gear => (false, [words(&["none"]), states()].concat()),
             Self::Odometer => (true, words(&["never"])),
-            Self::Line => (false, words(&["none"])),
+            Self::Line | Self::Unseen => (false, words(&["none"])),
             Self::Severity => (false, states()),
             Self::Telltale(_) => (false, words(&["off", "on", "never"])),
             Self::Sound => (false, sound::words().map(str::to_owned).collect()),
@@ -259,6 +263,7 @@ mod tests {
             "speed",
             "gear",
             "line",
+            "unseen",
             "severity",
             "sound",
             "countdown",

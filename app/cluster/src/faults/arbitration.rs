@@ -14,7 +14,8 @@
 //! | the sender falls silent             | STOP stays, the rest goes                                      |
 //! | the route says what nobody defined  | everything stays as it is: only a defined normal clears        |
 //! | a request for HV off comes further  | it sounds again, acknowledged or not                           |
-//! | the driver acknowledges             | the sound ends, the line stays                                 |
+//! | the driver acknowledges             | the sound ends, the line stays; fire sounds again after a time |
+//! | it ends before that                 | a STOP or DERATE is said to have been until it is acknowledged |
 //! | a fault is reported by two routes   | one line, one sound, one entry: those of the worse report      |
 //!
 //! Source: BUS-R027 to BUS-R029, BUS-R033, BUS-R079; readings BUS-33, BUS-77, BUS-112, BUS-113, BUS-116; JL-R013.
@@ -40,6 +41,11 @@ const TURN_MS: u64 = 1_000;
 const ROTATION_MS: u64 = 10_000;
 /// Most faults that are active at once; beyond that the mildest are left out.
 const MOST: usize = 40;
+/// Most faults that are over and were not acknowledged; beyond that the mildest are left out.
+const MOST_UNSEEN: usize = 8;
+/// How long fire is silent after it was acknowledged, in milliseconds: long enough to talk to the passengers; then the
+/// alarm that BUS-R079 asks for goes on.
+const FIRE_QUIET_MS: u64 = 30_000;
 
 /// One active fault.
 #[derive(Clone, Copy)]
@@ -84,6 +90,14 @@ impl Fault {
     }
 }
 
+/// A fault that is over and that nobody has acknowledged.
+#[derive(Clone, Copy)]
+struct Unseen {
+    fault: Fault,
+    /// Its stage when it ended.
+    stage: u8,
+}
+
 /// Returns whether the reporter `by` repeats what the reporter `first` says.
 fn repeats(by: u8, first: u8) -> bool {
     let at = |by: u8| REPORTERS.get(usize::from(by));
@@ -107,6 +121,10 @@ pub(crate) struct Faults {
     /// In the order of their turns.
     active: Vec<Fault, MOST>,
     turn: Option<Turn>,
+    /// STOP and DERATE that came and went without being acknowledged, the oldest first.
+    unseen: Vec<Unseen, MOST_UNSEEN>,
+    /// Since when the acknowledged fire is silent.
+    fire_quiet: Option<Millis>,
     /// Code by which fire was reported, and when.
     fire: Option<(u16, Millis)>,
     /// How far a request for high voltage off has come.
@@ -118,7 +136,16 @@ pub(crate) struct Faults {
 
 impl Faults {
     pub(crate) const fn new() -> Self {
-        Self { active: Vec::new(), turn: None, fire: None, phase: None, stands: false, history: History::new() }
+        Self {
+            active: Vec::new(),
+            turn: None,
+            unseen: Vec::new(),
+            fire_quiet: None,
+            fire: None,
+            phase: None,
+            stands: false,
+            history: History::new(),
+        }
     }
 
     /// Latches fire if either route reports it (BUS-116); called for every frame, so that none is missed.
@@ -134,12 +161,13 @@ impl Faults {
     /// Brings the active set up to date and gives the next line its turn.
     pub(crate) fn tick(&mut self, facts: &Facts<'_>) {
         self.watch_for_fire(facts);
+        self.fire_quiet = self.fire_quiet.filter(|since| facts.now.since(*since) < FIRE_QUIET_MS);
         for (by, reporter) in (0u8..).zip(&REPORTERS) {
             match reporter.report(facts) {
-                Report::Fault(severity, code) => self.report(by, reporter, severity, code, facts.now),
+                Report::Fault(severity, code) => self.report(by, reporter, severity, code, facts),
                 Report::Bits(bits) => self.report_bits(by, reporter, bits, facts),
-                Report::Clear => self.active.retain(|fault| fault.by != by),
-                Report::Unknown => self.active.retain(|fault| fault.by != by || fault.severity == Stop),
+                Report::Clear => self.end(facts.vehicle, |fault| fault.by == by),
+                Report::Unknown => self.end(facts.vehicle, |fault| fault.by == by && fault.severity != Stop),
                 Report::Undefined => {}
             }
         }
@@ -160,23 +188,76 @@ impl Faults {
     }
 
     /// Takes the one fault that a route reports now; what it reported before stays only while it may be rotating.
-    fn report(&mut self, by: u8, reporter: &Reporter, severity: Severity, code: Option<u16>, now: Millis) {
+    fn report(
+        &mut self,
+        by: u8,
+        reporter: &Reporter,
+        severity: Severity,
+        code: Option<u16>,
+        facts: &Facts<'_>,
+    ) {
+        let now = facts.now;
+        // A fault without its code yet is not one of several; an old code beside a new level was never a fault.
         self.active.retain(|fault| {
-            fault.by != by
-                || fault.is_same(by, code)
-                // A fault without its code yet is not one of several.
-                || fault.code.is_some()
-                    && !fault.lags
-                    && fault.severity <= severity
-                    && now.since(fault.last) < ROTATION_MS
+            fault.by != by || fault.is_same(by, code) || fault.code.is_some() && !fault.lags
+        });
+        self.end(facts.vehicle, |fault| {
+            fault.by == by
+                && !fault.is_same(by, code)
+                && (fault.severity > severity || now.since(fault.last) >= ROTATION_MS)
         });
         self.present(by, reporter, severity, code, now);
+    }
+
+    /// Ends faults; what is over before it was acknowledged is told on.
+    fn end(&mut self, vehicle: &Vehicle, is_over: impl Fn(&Fault) -> bool) {
+        for place in (0..self.active.len()).rev() {
+            let Some(fault) = self.active.get(place).copied().filter(&is_over) else { continue };
+            let _ = self.active.remove(place);
+            let is_told_elsewhere = self.other_route(fault.by, fault.code).is_some();
+            if !fault.heard && fault.severity >= Derate && !is_told_elsewhere {
+                self.miss(fault, vehicle);
+            }
+        }
+    }
+
+    /// Remembers a fault that is over and was not acknowledged.
+    fn miss(&mut self, fault: Fault, vehicle: &Vehicle) {
+        let Some(reporter) = fault.reporter() else { return };
+        self.unseen.retain(|unseen| !unseen.fault.is_same(fault.by, fault.code));
+        if self.unseen.is_full() {
+            let mildest = self.unseen.iter().enumerate().min_by_key(|(_, unseen)| unseen.fault.severity);
+            match mildest.map(|(place, unseen)| (place, unseen.fault.severity)) {
+                Some((place, mild)) if mild <= fault.severity => {
+                    let _ = self.unseen.remove(place);
+                }
+                _ => return,
+            }
+        }
+        let stage = match reporter.row.words {
+            Words::Phases(_) => self.phase.map_or(0, |phase| phase as u8),
+            _ => Named::graded(reporter.row.fault, fault.code, fault.severity, vehicle).stage,
+        };
+        // Cannot fail: there is room now.
+        let _ = self.unseen.push(Unseen { fault, stage });
+    }
+
+    /// Returns one of the worst faults that are over and were not acknowledged: they take turns.
+    pub(crate) fn unseen(&self, vehicle: &Vehicle, now: Millis) -> Option<Line> {
+        let worst = self.unseen.iter().map(|unseen| unseen.fault.severity).max()?;
+        let told = || self.unseen.iter().filter(|unseen| unseen.fault.severity == worst);
+        let count = told().count();
+        let place = (now.0 / TURN_MS) as usize % count.max(1);
+        let Unseen { fault, stage } = told().nth(place).copied()?;
+        let named = Named { fault: fault.reporter()?.row.fault, stage, code: fault.code };
+        let (position, count) = (place as u8 + 1, count as u8);
+        Some(Line { position, count, ..Line::of(named, worst, vehicle) })
     }
 
     /// Takes all alarm bits of a route.
     fn report_bits(&mut self, by: u8, reporter: &Reporter, bits: u32, facts: &Facts<'_>) {
         let is_set = |code: u16| code.checked_sub(1).is_some_and(|bit| bits >> bit & 1 != 0);
-        self.active.retain(|fault| fault.by != by || fault.code.is_some_and(is_set));
+        self.end(facts.vehicle, |fault| fault.by == by && !fault.code.is_some_and(is_set));
         for code in (1..=u32::BITS as u16).filter(|&code| is_set(code)) {
             self.present(by, reporter, reporter.severity_of_bit(facts, code), Some(code), facts.now);
         }
@@ -200,6 +281,8 @@ impl Faults {
             return;
         }
         let heard = acknowledged.is_some_and(|worst| severity <= worst);
+        // It is back: it has not come and gone.
+        self.unseen.retain(|unseen| !unseen.fault.is_same(by, code));
         let fault = Fault { by, code, severity, first: now, last: now, heard, lags: false };
         if self.active.is_full() {
             let mildest = self.active.iter().enumerate().min_by_key(|(_, fault)| fault.severity);
@@ -269,11 +352,13 @@ impl Faults {
         })
     }
 
-    /// Silences every fault that is active now.
-    pub(crate) fn acknowledge(&mut self) {
+    /// Silences every fault that is active now, fire for a time, and ends what is said of those that are over.
+    pub(crate) fn acknowledge(&mut self, now: Millis) {
         for fault in &mut self.active {
             fault.heard = true;
         }
+        self.unseen.clear();
+        self.fire_quiet = self.fire.map(|_| now);
     }
 
     /// Returns the worst severity that is active.
@@ -283,7 +368,7 @@ impl Faults {
 
     /// Returns the sound that the faults call for.
     pub(crate) fn sound(&self) -> Option<Sound> {
-        if self.fire.is_some() {
+        if self.fire.is_some() && self.fire_quiet.is_none() {
             return Some(Sound::Fire);
         }
         let is_voiced = |by: &Reporter| match by.row.voice {

@@ -215,7 +215,7 @@ pub enum Voice {
     AsSevere,
     /// The same, unless the vehicle is known to stand.
     Moving,
-    /// The sound of fire, which cannot be silenced.
+    /// The sound of fire, which is silenced for a time only.
     Fire,
 }
 

@@ -210,6 +210,10 @@ pub struct View {
     pub severity: Severity,
     /// The message line.
     pub line: Option<Line>,
+    /// A STOP or DERATE that came and went, until it is acknowledged.
+    pub unseen: Option<Line>,
+    /// It has the place of the message line now.
+    pub says_unseen: bool,
     /// Toggles every half second while the firmware lives: a frozen screen is noticed.
     pub heartbeat: bool,
     /// Language of every text on the panel.
@@ -245,6 +249,8 @@ impl Default for View {
             is_charge_low: false,
             severity: Severity::None,
             line: None,
+            unseen: None,
+            says_unseen: false,
             heartbeat: false,
             language: Language::default(),
             theme: Theme::default(),

@@ -7,5 +7,6 @@ mod arbitration;
 mod memory;
 mod reports;
 mod rows;
+mod unseen;
 mod worlds_of_events;
 mod worlds_of_levels;
