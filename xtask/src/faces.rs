@@ -261,6 +261,7 @@ impl Seen {
             line: None,
             unseen: None,
             says_unseen: false,
+            alarm: None,
             severity: View::default().severity,
             telltales: View::default().telltales,
             is_power_limited: false,

@@ -528,7 +528,9 @@ fn condition(route: &Route) -> String {
         When::Is(value, number) => format!("{} = {}", path(value), word(value, number)),
         When::AnyIs(values, number) => format!("{} = {}", any(values), word(values[0], number)),
         When::AnyBelow(values, limit) => format!("{} below {}", any(values), values[0].unit().show(limit)),
-        When::Moving(flags) => format!("{} = yes, while {} is above 0", any(flags), path(Value::VehicleSpeed)),
+        When::Moving(flags) => {
+            format!("{} = yes, while {} is above 0", any(flags), path(Value::VehicleSpeed))
+        }
         When::Bits(value) => format!("a bit of {}, its code is its number from 1", path(value)),
         When::Silent(node) => format!("an expected message of {} is missing", node.key()),
         When::HvOff => format!("{} = yes, through silence too", path(Value::BatteryHvOffRequest)),

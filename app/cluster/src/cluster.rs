@@ -27,7 +27,7 @@ use crate::transmit::{MAX_SENT, Transmit};
 use crate::trips::charge;
 use crate::trips::odometer::Odometer;
 use crate::trips::{self, Trips};
-use crate::view::page::Trip;
+use crate::view::page::{Page, Trip};
 use crate::view::{ActiveFault, Charging, Limp, Line, Text, View};
 use protocol_core::model::{Gear, Readings, Severity, Shown, Value};
 use protocol_core::vehicle::{Node, Vehicle};
@@ -396,6 +396,10 @@ impl Cluster {
         let power = self.power(now);
         let known = |value| self.reception.last_known(value);
         let faults = self.faults.line(self.vehicle, &self.timers, now);
+        let is_alarming = matches!(self.faults.sound(), Some(Sound::Fire | Sound::Stop));
+        let page = self.page(now);
+        let is_taken_over =
+            |line: &Line| is_alarming && line.severity == Severity::Stop && matches!(page, Page::Main);
         let traffic = self.traffic(now);
         let unseen = self.faults.unseen(self.vehicle, now);
         let line = self.conditions.beside(traffic, faults, self.faults.misses_a_node(), self.vehicle, now);
@@ -423,7 +427,7 @@ impl Cluster {
             charging: self.charging(now),
             limp: self.limp(),
             hv_off_s: self.timers.hv_off.countdown_s(now),
-            page: self.page(now),
+            page,
             telltales: if self.start.is_bulb_check(now) { Telltales::ALL } else { self.lit() },
             is_power_limited: self.lighting.lit().is_lit(Telltale::PowerLimited),
             is_charge_low: self.lighting.lit().is_lit(Telltale::LowCharge),
@@ -431,6 +435,7 @@ impl Cluster {
             line,
             unseen,
             says_unseen: says_unseen(line, unseen, now),
+            alarm: faults.filter(is_taken_over),
             heartbeat: (now.0 / HEARTBEAT_MS) % 2 == 1,
             language: self.settings.language,
             theme: self.settings.theme,

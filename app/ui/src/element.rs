@@ -185,7 +185,8 @@ impl Place {
                 let end = paint(row, self.font, short.characters(), left, self.top, ramp);
                 // Both stand on one base line.
                 let top = self.top + u16::from(self.font.cap) - u16::from(fonts::LABEL.cap);
-                let ramp = palette.ramp(Ink::Secondary);
+                let ramp =
+                    palette.ramp(if element.ink == Ink::OnStop { Ink::OnStop } else { Ink::Secondary });
                 paint(row, &fonts::LABEL, unit.chars(), end + GAP as i16, top, ramp);
             }
             Content::Coded(text, code) => {

@@ -70,6 +70,9 @@ pub(crate) const BAND_TEXT_TOP: u16 = 222;
 /// Stripe in the colour of the worst severity.
 pub(crate) const STRIPE: Area = Area::new(0, 213, crate::WIDTH, 3);
 
+/// What changes with the page: all between the two rows of telltales.
+pub(crate) const PAGE: Area = Area::new(0, 26, crate::WIDTH, 163);
+
 /// Telltales stand in two rows of twelve places; READY takes two.
 const TELLTALE_CELL: u16 = 26;
 const TELLTALE_LEFT: u16 = 4;

@@ -16,7 +16,7 @@ use crate::{
 use cluster::{
     Page, Trip, View,
     page::{Chapter, Count, Item},
-    view::{Charging, Journey, Language, List, Listed, Range, Sheet, Text},
+    view::{Charging, Journey, Language, Line, List, Listed, Range, Sheet, Text},
 };
 use protocol_core::model::{Gear, Shown};
 use protocol_core::states::Confinement;
@@ -34,11 +34,14 @@ pub(crate) enum Kind {
     Table,
     /// Four values and where they are.
     Extremes,
+    /// What a STOP is, what to do, and how long there is.
+    Alarm,
 }
 
 impl Kind {
-    pub(crate) const fn of(page: &Page) -> Self {
-        match page {
+    pub(crate) const fn of(view: &View) -> Self {
+        match &view.page {
+            _ if view.alarm.is_some() => Self::Alarm,
             Page::Main => Self::Main,
             Page::Trip(_) | Page::Energy => Self::Grid,
             Page::Faults(_) | Page::History(_) => Self::List,
@@ -55,6 +58,7 @@ impl Kind {
             Self::List => &LIST,
             Self::Table => &TABLE,
             Self::Extremes => &EXTREMES,
+            Self::Alarm => &ALARM,
         }
     }
 }
@@ -161,6 +165,25 @@ static EXTREMES: [Place; HEAD + 3 * ENDS] = {
         places[place + 2] = Place::new(at, y + 10, &fonts::MESSAGE, Align::Right);
         end += 1;
     }
+    places
+};
+
+/// Two lines of what, what to do, its code, how long there is.
+static ALARM: [Place; HEAD + 6] = {
+    const WIDTH: u16 = RIGHT - LEFT;
+    let mut places = headed();
+    // Lower than on other pages: the ground begins where the telltales end.
+    places[0] = Place::new(Area::new(LEFT, 30, 180, 28), 36, &fonts::ALARM, Align::Left);
+    places[2] = Place::new(Area::new(196, 31, 24, 25), 32, &fonts::GEAR, Align::Centre);
+    places[3] = Place::new(Area::new(228, 31, RIGHT - 228, 25), 33, &fonts::FIGURE, Align::Right);
+    places[4] = Place::new(Area::new(LEFT, 58, WIDTH, 1), 0, &fonts::LABEL, Align::Left);
+    places[1] = Place::new(Area::new(192, 36, 2, 14), 38, &fonts::LABEL, Align::Right);
+    places[HEAD] = Place::new(Area::new(LEFT, 60, WIDTH, 28), 66, &fonts::ALARM, Align::Left);
+    places[HEAD + 1] = Place::new(Area::new(LEFT, 88, WIDTH, 28), 94, &fonts::ALARM, Align::Left);
+    places[HEAD + 2] = Place::new(Area::new(LEFT, 119, WIDTH, 19), 122, &fonts::MESSAGE, Align::Left);
+    places[HEAD + 3] = Place::new(Area::new(LEFT, 142, 96, 19), 145, &fonts::MESSAGE, Align::Left);
+    places[HEAD + 4] = Place::new(Area::new(150, 164, 84, 19), 169, &fonts::LABEL, Align::Right);
+    places[HEAD + 5] = Place::new(Area::new(236, 161, RIGHT - 236, 25), 162, &fonts::FIGURE, Align::Right);
     places
 };
 
@@ -320,8 +343,50 @@ fn place_of(places: &[Shown<i32>]) -> Option<Short> {
     }
 }
 
+/// Returns a text as two lines of at most `width` pixels, broken between words where there are some.
+fn wrapped(text: &'static str, font: &fonts::Font, width: u16) -> [&'static str; 2] {
+    if font.width(text) <= width {
+        return [text, ""];
+    }
+    let fits = |&(at, _): &(usize, char)| text.get(..at).is_some_and(|start| font.width(start) <= width);
+    let breaks = text.char_indices().take_while(fits);
+    let between_words = breaks.clone().filter(|(_, character)| *character == ' ').last();
+    let (at, _) = between_words.or_else(|| breaks.last()).unwrap_or((0, ' '));
+    [text.get(..at).unwrap_or_default(), text.get(at..).unwrap_or_default().trim_start()]
+}
+
+/// What a STOP is, what to do, how long there is; gear and speed stay in the head.
+fn alarm(view: &View, line: &Line, elements: &mut [Element]) {
+    head(view, elements);
+    let on_stop = |content| Element { content, ink: Ink::OnStop };
+    let say = |text| on_stop(Content::Words(said(text, view.language)));
+    let Place { font, area, .. } = &ALARM[HEAD];
+    let [first, second] = wrapped(said(line.text, view.language), font, area.width);
+    let code = match line.code {
+        Some(code) => Content::Coded(said(words::CODE, view.language), Some(code)),
+        None => Content::Blank,
+    };
+    let seconds = view.hv_off_s.map(|seconds| Short::EMPTY.number(seconds.into(), 1));
+    let countdown = seconds.map_or(Content::Blank, |short| Content::Measure(short, words::SECONDS.en));
+    let body = [
+        on_stop(Content::Words(first)),
+        on_stop(Content::Words(second)),
+        say(line.advice().unwrap_or(words::STOP_SAFELY)),
+        on_stop(code),
+        if view.hv_off_s.is_some() { say(words::HV_OFF_IN) } else { Element::BLANK },
+        on_stop(countdown),
+    ];
+    elements.iter_mut().skip(HEAD).zip(body).for_each(|(element, new)| *element = new);
+    // All of it stands on the ground of a STOP; a bar has nothing to say.
+    elements.iter_mut().take(HEAD).for_each(|element| element.ink = Ink::OnStop);
+    if let Some(bar) = elements.get_mut(HEAD - 1) {
+        *bar = Element::BLANK;
+    }
+}
+
 fn title(view: &View) -> Text {
     match view.page {
+        _ if view.alarm.is_some() => words::STOP,
         Page::Main => words::same(""),
         Page::Trip(Trip::A) => words::TRIP_A,
         Page::Trip(Trip::B) => words::TRIP_B,
@@ -429,6 +494,10 @@ pub fn looks_same(view: &View, other: &View) -> bool {
 /// Returns the elements of a view's page, in the order of its places.
 pub(crate) fn elements(view: &View) -> [Element; MOST_ELEMENTS] {
     let mut elements = [Element::BLANK; MOST_ELEMENTS];
+    if let Some(line) = &view.alarm {
+        alarm(view, line, &mut elements);
+        return elements;
+    }
     if matches!(view.page, Page::Main) {
         if view.range != Shown::Never {
             elements[0] = range_of(&MAIN[0], view.range);
@@ -502,7 +571,7 @@ mod tests {
     use protocol_core::states::Plug;
     use std::{format, string::String, vec::Vec};
 
-    const KINDS: [Kind; 5] = [Kind::Main, Kind::Grid, Kind::List, Kind::Table, Kind::Extremes];
+    const KINDS: [Kind; 6] = [Kind::Main, Kind::Grid, Kind::List, Kind::Table, Kind::Extremes, Kind::Alarm];
 
     #[test]
     fn no_cell_lies_on_another_or_on_what_every_page_has() {
@@ -547,7 +616,7 @@ mod tests {
     /// Returns what is wrong with the elements of a view's page.
     fn misfits(view: &View) -> Vec<String> {
         let mut misfits = Vec::new();
-        let kind = Kind::of(&view.page);
+        let kind = Kind::of(view);
         for (number, (place, element)) in kind.places().iter().zip(elements(view)).enumerate() {
             // A bar and a mark fill their rows.
             if matches!(element.content, Content::Bar(_) | Content::Mark(_)) {

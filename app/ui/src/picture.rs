@@ -334,12 +334,23 @@ impl Picture {
             severity: view.severity,
             telltales: view.telltales.in_turn(view.heartbeat),
             heartbeat: view.heartbeat,
-            kind: Kind::of(&view.page),
+            kind: Kind::of(view),
             elements: pages::elements(view),
             ..Self::EMPTY
         };
         // What a page does not show must not be sent when it changes.
         if every.kind == Kind::Main { every.with_dial(view) } else { every }
+    }
+
+    /// Returns the ground of a row: that of a STOP where one has taken the page over.
+    pub(crate) fn ground(&self, y: u16) -> u16 {
+        let palette = Palette::of(self.theme);
+        let is_page = layout::PAGE.y <= y && y < layout::PAGE.bottom();
+        if self.kind == Kind::Alarm && is_page {
+            palette.bands[Severity::Stop as usize]
+        } else {
+            palette.ground
+        }
     }
 
     /// Adds what only the main page has.

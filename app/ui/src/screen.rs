@@ -10,7 +10,6 @@ use crate::{
     picture::{Picture, label_area},
     regions::Regions,
     scanline::{Scanline, fill},
-    theme::Palette,
     tile::rectangle,
 };
 use cluster::View;
@@ -25,7 +24,7 @@ const SWEEP: [Area; 4] = [
     Area::new(0, 213, WIDTH, 27),
     Area::new(0, 0, WIDTH, 26),
     Area::new(0, 189, WIDTH, 24),
-    Area::new(0, 26, WIDTH, 163),
+    crate::layout::PAGE,
 ];
 
 /// Place in [`SWEEP`] of what changes with the page.
@@ -199,7 +198,7 @@ impl Screen {
     }
 
     fn paint_row(&self, met: &Met, area: Area, y: u16, pixels: &mut [u16]) {
-        fill(pixels, Palette::of(self.picture.theme).ground);
+        fill(pixels, self.picture.ground(y));
         for &index in &met.places[..met.count] {
             let index = usize::from(index);
             let place = self.place(index);

@@ -18,6 +18,16 @@ pub(crate) const ODOMETER: Text = Text { zh: "总里程", en: "Total" };
 pub(crate) const LIMITED: Text = Text { zh: "功率受限", en: "Limited" };
 /// Before a fault that is over.
 pub(crate) const WAS: Text = Text { zh: "曾报：", en: "Was: " };
+/// Head of what takes the main page over.
+pub(crate) const STOP: Text = Text { zh: "立即停车", en: "STOP" };
+/// What to do about it where the fault says nothing of its own.
+pub(crate) const STOP_SAFELY: Text = Text { zh: "请在安全处停车", en: "Stop in a safe place" };
+/// Before the code of a fault.
+pub(crate) const CODE: Text = Text { zh: "代码", en: "Code" };
+/// Before the seconds until high voltage goes off.
+pub(crate) const HV_OFF_IN: Text = Text { zh: "断电倒计时", en: "HV off in" };
+/// Seconds.
+pub(crate) const SECONDS: Text = same("s");
 /// Torque may be sent.
 pub(crate) const READY: Text = same("READY");
 /// Unit of road speed.

@@ -15,6 +15,18 @@ use protocol_core::vehicle::NO_VEHICLE;
 use std::{fs, path::Path};
 use ui::{HEIGHT, WIDTH};
 
+fn alarm(fault: FaultId, code: Option<u16>, hv_off_s: Option<u8>) -> View {
+    let stop = Line { code, ..Line::of(Named { code, ..Named::of(fault) }, Severity::Stop, &NO_VEHICLE) };
+    View {
+        line: Some(stop),
+        severity: Severity::Stop,
+        alarm: Some(stop),
+        hv_off_s,
+        telltales: lamps(&[Telltale::BatteryFault, Telltale::LowBeam, Telltale::SystemFault]),
+        ..common::driving()
+    }
+}
+
 fn after_a_stop(view: View) -> View {
     let line = line(Severity::Stop, "绝缘故障", "Insulation fault", 11, 1, 1);
     View { line: None, severity: Severity::None, unseen: Some(line), says_unseen: true, ..view }
@@ -185,6 +197,13 @@ screens! {
     driving_en: english(common::driving());
     driving_day: day(common::driving());
     driving_day_en: day(english(common::driving()));
+    /// A STOP that nobody has acknowledged has taken the page over.
+    alarm_insulation: alarm(FaultId::Insulation, Some(11), None);
+    alarm_insulation_day_en: day(english(alarm(FaultId::Insulation, Some(11), None)));
+    alarm_hv_off: alarm(FaultId::HvOff, None, Some(27));
+    alarm_hv_off_en: english(alarm(FaultId::HvOff, None, Some(27)));
+    alarm_fire: alarm(FaultId::Fire, Some(24), Some(3));
+    alarm_fire_day_en: day(english(alarm(FaultId::Fire, Some(24), Some(3))));
     /// A STOP that is over and that nobody has acknowledged.
     unseen: after_a_stop(common::driving());
     unseen_day_en: day(english(after_a_stop(common::driving())));

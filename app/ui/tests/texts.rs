@@ -103,6 +103,7 @@ fn the_bitmaps_leave_room_in_flash() {
     let bitmaps = fonts.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "bin"));
     let bytes: u64 = bitmaps.map(|entry| entry.metadata().unwrap().len()).sum();
     println!("bitmaps: {bytes} bytes");
-    // 160 KB for all tables; a glyph's row of numbers takes 12 bytes more.
-    assert!(bytes < 140_000, "{bytes} bytes of bitmaps: fewer texts, or smaller type");
+    // 210 KB for all tables; a glyph's row of numbers takes 12 bytes more. What takes the main page over has a face of 24
+    // pixels of its own, 76 KB: it is read from further away than anything else.
+    assert!(bytes < 190_000, "{bytes} bytes of bitmaps: fewer texts, or smaller type");
 }

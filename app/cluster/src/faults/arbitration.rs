@@ -198,9 +198,8 @@ impl Faults {
     ) {
         let now = facts.now;
         // A fault without its code yet is not one of several; an old code beside a new level was never a fault.
-        self.active.retain(|fault| {
-            fault.by != by || fault.is_same(by, code) || fault.code.is_some() && !fault.lags
-        });
+        self.active
+            .retain(|fault| fault.by != by || fault.is_same(by, code) || fault.code.is_some() && !fault.lags);
         self.end(facts.vehicle, |fault| {
             fault.by == by
                 && !fault.is_same(by, code)
@@ -242,12 +241,13 @@ impl Faults {
         let _ = self.unseen.push(Unseen { fault, stage });
     }
 
-    /// Returns one of the worst faults that are over and were not acknowledged: they take turns.
+    /// Returns one of the worst faults that are over and were not acknowledged: each stands for two turns, of which it has
+    /// the second even beside a milder line.
     pub(crate) fn unseen(&self, vehicle: &Vehicle, now: Millis) -> Option<Line> {
         let worst = self.unseen.iter().map(|unseen| unseen.fault.severity).max()?;
         let told = || self.unseen.iter().filter(|unseen| unseen.fault.severity == worst);
         let count = told().count();
-        let place = (now.0 / TURN_MS) as usize % count.max(1);
+        let place = (now.0 / (2 * TURN_MS)) as usize % count.max(1);
         let Unseen { fault, stage } = told().nth(place).copied()?;
         let named = Named { fault: fault.reporter()?.row.fault, stage, code: fault.code };
         let (position, count) = (place as u8 + 1, count as u8);

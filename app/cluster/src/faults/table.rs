@@ -343,7 +343,8 @@ faults! {
     BatteryFault 8 "battery_fault", Turn(100), one("动力电池故障", "Battery fault"), Silent, true:
         flag(V::BatteryFault, Always(Warn)).unless_sent(V::BatteryAlarms);
     /// A smoke detector in the battery gives alarm (JL-24).
-    BatterySmoke 9 "battery_smoke", Turn(80), one("动力电池烟雾报警", "Smoke in the battery"), AsSevere, true:
+    BatterySmoke 9 "battery_smoke", Turn(80), one("动力电池烟雾报警", "Smoke in the battery"),
+        ("停车 疏散乘客" "Stop, let everyone out"), AsSevere, true:
         flag(V::BatterySmoke, Always(Stop)).unless_sent(V::BatteryAlarms);
     /// Level and code of the motor system.
     Motor 10 "motor_code", Turn(110), one("电机系统故障", "Motor system fault"), [Inverter], AsSevere, true:
@@ -355,7 +356,8 @@ faults! {
     Inverter 12 "inverter", Turn(170), one("电机控制器系统故障", "Motor controller fault"), Silent, true:
         flag(V::MotorFault, Joins(Warn)).code(V::MotorFaultCode);
     /// Level and code of the insulation monitor.
-    Insulation 13 "insulation_code", Turn(130), one("绝缘故障", "Insulation fault"), [Insulation], AsSevere, true:
+    Insulation 13 "insulation_code", Turn(130), one("绝缘故障", "Insulation fault"), [Insulation],
+        ("停车 勿触高压部件" "Stop, touch no HV part"), AsSevere, true:
         level(V::InsulationLevel).code(V::InsulationFaultCode);
     /// Insulation fault bit of a vehicle without levels.
     InsulationFault 14 "insulation_fault", Turn(140), one("绝缘故障", "Insulation fault"), Silent, true:
@@ -364,7 +366,7 @@ faults! {
     InsulationDevice 15 "insulation_device", Turn(150), one("绝缘监测故障", "Insulation monitor fault"), Silent, true:
         flag(V::InsulationDeviceFault, Always(Warn));
     /// The cluster's own smoke detector.
-    Smoke 16 "smoke", Turn(160), one("烟雾报警", "Smoke alarm"), AsSevere, true: flag(V::BodySmoke, Always(Stop));
+    Smoke 16 "smoke", Turn(160), one("烟雾报警", "Smoke alarm"), ("停车 疏散乘客" "Stop, let everyone out"), AsSevere, true: flag(V::BodySmoke, Always(Stop));
     /// Steering pump: status 10 (BUS-R119).
     Steering 17 "steering", Turn(180), one("助力系统故障", "Steering assistance fault"), Moving, true:
         component(V::SteeringState, V::SteeringFaultCode);
@@ -466,7 +468,8 @@ faults! {
     SilentContactors 73 "silent_contactors", Turn(470), one("高压控制盒通信中断", "No communication: contactors"), Silent, true:
         silent(Node::Contactors, Warn);
     /// Fire in the battery, by either route (BUS-R079, BUS-116).
-    Fire 96 "fire", Over, one("火灾报警 立即停车疏散", "FIRE: stop, get everyone out"), Fire, true:
+    Fire 96 "fire", Over, one("火灾报警 立即停车疏散", "FIRE: stop, get everyone out"),
+        ("断电 远离车辆" "Power off and keep away"), Fire, true:
         fire(Node::Vcu, V::VehicleFaultCode), fire(Node::Bms, V::BatteryFaultCode);
     /// The CAN controller does not answer.
     NoController 128 "no_controller", Beside, one("CAN 控制器通信中断", "No CAN controller: check wiring"), Silent, false:

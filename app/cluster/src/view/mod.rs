@@ -52,6 +52,11 @@ pub struct Line {
 }
 
 impl Line {
+    /// Returns what the driver can do; `None` = what its severity says.
+    pub fn advice(&self) -> Option<Text> {
+        self.named.fault.advice()
+    }
+
     /// Returns the only line.
     pub fn of(named: Named, severity: Severity, vehicle: &Vehicle) -> Self {
         let (text, code) = (named.text(vehicle), named.printed_code());
@@ -214,6 +219,8 @@ pub struct View {
     pub unseen: Option<Line>,
     /// It has the place of the message line now.
     pub says_unseen: bool,
+    /// A STOP or fire that nobody has acknowledged: it takes the main page over.
+    pub alarm: Option<Line>,
     /// Toggles every half second while the firmware lives: a frozen screen is noticed.
     pub heartbeat: bool,
     /// Language of every text on the panel.
@@ -251,6 +258,7 @@ impl Default for View {
             line: None,
             unseen: None,
             says_unseen: false,
+            alarm: None,
             heartbeat: false,
             language: Language::default(),
             theme: Theme::default(),

@@ -60,7 +60,11 @@ fn a_stop_or_derate_that_came_and_went_is_said_until_it_is_acknowledged_and_noth
         drive.cluster.press(Button::Next, drive.now);
         drive.run(TICK);
         assert_eq!(unseen(&drive), None, "{path}: acknowledged");
-        assert_eq!(drive.view().page == page, expected.is_some(), "{path}: the push acknowledged, or turned the page");
+        assert_eq!(
+            drive.view().page == page,
+            expected.is_some(),
+            "{path}: the push acknowledged, or turned the page"
+        );
     }
     assert!(told > 10, "only {told} of them are STOP or DERATE");
 }
@@ -126,9 +130,18 @@ fn several_take_turns_the_worst_of_them() {
         drive.keep(Node::Inverter, value, 0);
     }
     drive.run(CYCLE);
-    let all = said(&mut drive, 6);
+    let all = said(&mut drive, 8);
     let of = |wanted| all.iter().filter(|(fault, _)| *fault == Some(wanted)).count();
-    assert_eq!((of(FaultId::Smoke), of(FaultId::BatterySmoke), of(FaultId::BrakeVacuum)), (3, 3, 0));
+    assert_eq!((of(FaultId::Smoke), of(FaultId::BatterySmoke), of(FaultId::BrakeVacuum)), (4, 4, 0));
+    drive.keep(Node::Inverter, V::MotorFaultLevel, 1);
+    drive.run(CYCLE);
+    let all = said(&mut drive, 8);
+    let of = |wanted| all.iter().filter(|(fault, _)| *fault == Some(wanted)).count();
+    assert_eq!(
+        (of(FaultId::Smoke), of(FaultId::BatterySmoke), of(FaultId::Motor)),
+        (2, 2, 4),
+        "beside a milder one"
+    );
     assert_eq!(drive.view().unseen.map(|line| line.count), Some(2));
 }
 
@@ -155,10 +168,69 @@ fn bus_r079_an_acknowledged_fire_sounds_again_after_thirty_seconds_for_ever() {
         drive.cluster.press(Button::Next, since);
         drive.run(TICK);
         while drive.sound().is_none() {
-            assert_eq!(drive.view().line.map(|line| line.named.fault), Some(FaultId::Fire), "it is still said");
+            assert_eq!(
+                drive.view().line.map(|line| line.named.fault),
+                Some(FaultId::Fire),
+                "it is still said"
+            );
             drive.run(TICK);
         }
         assert_eq!(drive.sound(), Some(Sound::Fire));
-        assert!((30_000..=30_000 + 2 * TICK).contains(&drive.now.since(since)), "{:?}", drive.now.since(since));
+        assert!(
+            (30_000..=30_000 + 2 * TICK).contains(&drive.now.since(since)),
+            "{:?}",
+            drive.now.since(since)
+        );
     }
+}
+
+#[test]
+fn a_stop_takes_the_main_page_over_until_it_is_acknowledged_and_nothing_milder_does() {
+    for (row, value, number, severity) in cases() {
+        let mut drive = healthy();
+        drive.keep(Node::Inverter, value, number);
+        drive.run(CYCLE);
+        let alarm = |drive: &Drive| drive.view().alarm.map(|line| line.named.fault);
+        let sounds = drive.sound().is_some();
+        let expected = (severity == Stop && sounds).then_some(row.fault);
+        assert_eq!(alarm(&drive), expected, "{} {number}", value.path());
+        drive.run(10_000);
+        assert_eq!(alarm(&drive), expected, "{}: for as long as nobody acknowledges it", value.path());
+        drive.cluster.press(Button::Next, drive.now);
+        drive.run(TICK);
+        assert_eq!(alarm(&drive), None, "{}: acknowledged it leaves the line", value.path());
+        if sounds {
+            assert!(drive.view().line.is_some(), "{}", value.path());
+        }
+    }
+}
+
+#[test]
+fn of_more_than_there_is_room_for_the_milder_and_the_older_are_left_out() {
+    // In the order of their turns, in which they end; the brake vacuum is a DERATE.
+    let all = [
+        (V::VehicleFaultLevel, 3),
+        (V::VehicleControllerLevel, 3),
+        (V::BatteryFaultLevel, 3),
+        (V::BatterySmoke, 1),
+        (V::MotorFaultLevel, 3),
+        (V::InsulationLevel, 3),
+        (V::BodySmoke, 1),
+        // As bad as what the vehicle reports.
+        (V::SteeringState, 2),
+        (V::BrakeVacuumFault, 1),
+        (V::ChargerFaultLevel, 3),
+    ];
+    let mut drive = healthy();
+    all.iter().for_each(|(value, number)| drive.keep(Node::Inverter, *value, *number));
+    drive.run(CYCLE);
+    all.iter().for_each(|(value, _)| drive.keep(Node::Inverter, *value, 0));
+    drive.run(CYCLE);
+    assert_eq!(drive.faults(), []);
+    let mut told: Vec<FaultId> = said(&mut drive, 20).into_iter().filter_map(|(fault, _)| fault).collect();
+    told.sort_unstable();
+    told.dedup();
+    assert_eq!(told.len(), 8, "{told:?}");
+    assert!(!told.contains(&FaultId::VehicleLevel), "the oldest made room");
+    assert!(told.contains(&FaultId::Charger) && !told.contains(&FaultId::BrakeVacuum), "{told:?}");
 }

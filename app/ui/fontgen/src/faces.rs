@@ -114,6 +114,16 @@ const FACES: &[Face] = &[
         chinese: Chinese::All,
         han: ("NotoSansCJK-Medium.ttc", 17.0, 1),
     },
+    Face {
+        name: "ALARM",
+        doc: "What takes the main page over.",
+        latin: "NotoSans-SemiCondensedSemiBold.ttf",
+        cap: 17,
+        characters: " ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789:,.-/()",
+        marks: false,
+        chinese: Chinese::All,
+        han: ("NotoSansCJK-Medium.ttc", 24.0, 2),
+    },
 ];
 
 /// A face as Rust source and its packed bitmaps.
