@@ -291,6 +291,8 @@ pub struct Screen {
     pub line: Option<ScreenLine>,
     /// A fault that came and went, until it is acknowledged.
     pub unseen: Option<ScreenLine>,
+    /// A fault that is milder than the STOP on the line.
+    pub below: Option<ScreenLine>,
 }
 
 /// The message line of the screen.

@@ -92,6 +92,14 @@ fn largest() -> Vec<Record> {
                 position: 255,
                 count: 255,
             }),
+            below: Some(ScreenLine {
+                fault: 255,
+                stage: 255,
+                code: Some(u16::MAX),
+                severity: 255,
+                position: 255,
+                count: 255,
+            }),
         }),
         Record::Panic { line: m, text: "p".repeat(64).as_str().into() },
         Record::Trips(Trips {

@@ -261,6 +261,8 @@ impl Seen {
             line: None,
             unseen: None,
             says_unseen: false,
+            below: None,
+            says_below: false,
             alarm: None,
             severity: View::default().severity,
             telltales: View::default().telltales,

@@ -33,6 +33,8 @@ use protocol_core::model::{Gear, Readings, Severity, Shown, Value};
 use protocol_core::vehicle::{Node, Vehicle};
 use protocol_core::{CanFrame, Millis};
 
+/// Length of a turn in the place of the message line, in milliseconds.
+const TURN_MS: u64 = 1_000;
 /// Half a period of the heartbeat on the screen, in milliseconds.
 const HEARTBEAT_MS: u64 = 500;
 
@@ -396,6 +398,7 @@ impl Cluster {
         let power = self.power(now);
         let known = |value| self.reception.last_known(value);
         let faults = self.faults.line(self.vehicle, &self.timers, now);
+        let below = self.faults.below(self.vehicle, &self.timers, now);
         let is_alarming = matches!(self.faults.sound(), Some(Sound::Fire | Sound::Stop));
         let page = self.page(now);
         let is_taken_over =
@@ -435,6 +438,8 @@ impl Cluster {
             line,
             unseen,
             says_unseen: says_unseen(line, unseen, now),
+            below,
+            says_below: below.is_some() && now.0 / TURN_MS % 4 == 3,
             alarm: faults.filter(is_taken_over),
             heartbeat: (now.0 / HEARTBEAT_MS) % 2 == 1,
             language: self.settings.language,
@@ -487,8 +492,6 @@ impl Cluster {
 /// Returns whether the place of the message line is for a fault that is over: alone, or in every second turn beside a milder
 /// one that is not.
 fn says_unseen(line: Option<Line>, unseen: Option<Line>, now: Millis) -> bool {
-    /// Length of a turn, in milliseconds.
-    const TURN_MS: u64 = 1_000;
     let Some(unseen) = unseen else { return false };
     line.is_none_or(|line| line.severity < unseen.severity && now.0 / TURN_MS % 2 == 1)
 }

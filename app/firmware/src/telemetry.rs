@@ -132,6 +132,7 @@ pub fn screen(view: &View, now_ms: u64) -> Record {
         telltales: view.telltales.bits(),
         line: view.line.map(line),
         unseen: view.unseen.map(line),
+        below: view.below.map(line),
     })
 }
 

@@ -168,10 +168,16 @@ pub(crate) struct Message {
 
 impl Message {
     /// Returns what stands in the place of the line: a fault that is over looks like information, after a word for that.
+    /// Below a STOP that has taken the page over stands what is milder.
     fn of_view(view: &View) -> Option<Self> {
-        let (line, before) = match view.unseen.filter(|_| view.says_unseen) {
-            Some(unseen) => (Line { severity: Severity::None, ..unseen }, said(words::WAS, view.language)),
-            None => (view.line?, ""),
+        let below = view.below.filter(|_| view.alarm.is_some() || view.says_below);
+        let unseen = view.unseen.filter(|_| view.says_unseen);
+        let (line, before) = match (below, unseen) {
+            (Some(below), _) => (below, ""),
+            (None, Some(unseen)) => {
+                (Line { severity: Severity::None, ..unseen }, said(words::WAS, view.language))
+            }
+            (None, None) => (view.line?, ""),
         };
         Some(Self::of(&line, before, chip(view), view.language))
     }

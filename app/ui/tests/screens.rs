@@ -27,6 +27,11 @@ fn alarm(fault: FaultId, code: Option<u16>, hv_off_s: Option<u8>) -> View {
     }
 }
 
+fn above_steering(view: View) -> View {
+    let named = Named { code: Some(5), ..Named::of(FaultId::Steering) };
+    View { below: Some(Line { count: 2, ..Line::of(named, Severity::Warn, &NO_VEHICLE) }), ..view }
+}
+
 fn after_a_stop(view: View) -> View {
     let line = line(Severity::Stop, "绝缘故障", "Insulation fault", 11, 1, 1);
     View { line: None, severity: Severity::None, unseen: Some(line), says_unseen: true, ..view }
@@ -204,6 +209,8 @@ screens! {
     alarm_hv_off_en: english(alarm(FaultId::HvOff, None, Some(27)));
     alarm_fire: alarm(FaultId::Fire, Some(24), Some(3));
     alarm_fire_day_en: day(english(alarm(FaultId::Fire, Some(24), Some(3))));
+    /// Below it stands what is milder.
+    alarm_and_steering_en: english(above_steering(alarm(FaultId::Insulation, Some(11), None)));
     /// A STOP that is over and that nobody has acknowledged.
     unseen: after_a_stop(common::driving());
     unseen_day_en: day(english(after_a_stop(common::driving())));

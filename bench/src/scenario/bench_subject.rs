@@ -205,6 +205,9 @@ impl Subject for BenchSubject {
             Name::Unseen => {
                 shown(&|screen| Answer::Line(screen.unseen.map(|line| FoundLine::of_record(line, vehicle))))
             }
+            Name::Below => {
+                shown(&|screen| Answer::Line(screen.below.map(|line| FoundLine::of_record(line, vehicle))))
+            }
             Name::Severity => shown(&|screen| {
                 let severity = screen.line.map_or(0, |line| line.severity);
                 Answer::word(Severity::from_model(severity.into()).word())

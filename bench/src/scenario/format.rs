@@ -338,7 +338,7 @@ impl Reader<'_> {
             self.fail("`never` needs an end: `until`".into());
         }
         for (table, never) in [(&step.expect, false), (&step.never, true)] {
-            for (path, value) in flat(table.as_ref(), &["line", "unseen"]) {
+            for (path, value) in flat(table.as_ref(), &["line", "unseen", "below"]) {
                 let wanted = Name::read(&path, self.kind)
                     .and_then(|name| self.wanted(&name, value).map(|wanted| (name, wanted)));
                 match wanted {
@@ -374,7 +374,7 @@ impl Reader<'_> {
             }
             Err(format!("`{name}` is never `{word}`; it is one of {}", there.join(", ")))
         };
-        if matches!(name, Name::Line | Name::Unseen)
+        if matches!(name, Name::Line | Name::Unseen | Name::Below)
             && value.as_str() != Some("none")
             && let Some(line) = WantedLine::read(value, self.kind)
         {

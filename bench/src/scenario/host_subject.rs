@@ -138,6 +138,7 @@ impl Subject for HostSubject {
             Name::Odometer => Answer::Number(f64::from(view.odometer_hectometres) / 10.0),
             Name::Line => Answer::Line(view.line.map(FoundLine::of_view)),
             Name::Unseen => Answer::Line(view.unseen.map(FoundLine::of_view)),
+            Name::Below => Answer::Line(view.below.map(FoundLine::of_view)),
             Name::Severity => Answer::word(view.line.map(|line| line.severity).unwrap_or_default().word()),
             Name::Telltale(lamp) => Answer::word(if view.telltales.is_lit(*lamp) { "on" } else { "off" }),
             Name::Countdown => view.hv_off_s.map_or(Answer::word("none"), |s| Answer::Number(s.into())),

@@ -28,6 +28,8 @@ pub enum Name {
     Line,
     /// What came and went and was not acknowledged.
     Unseen,
+    /// What is milder than the STOP on the line.
+    Below,
     /// Severity of the message line.
     Severity,
     /// A telltale.
@@ -79,12 +81,13 @@ impl Signal {
 }
 
 /// Names of one word.
-const PLAIN: [(&str, Name); 11] = [
+const PLAIN: [(&str, Name); 12] = [
     ("speed", Name::Speed),
     ("gear", Name::Gear),
     ("odometer", Name::Odometer),
     ("line", Name::Line),
     ("unseen", Name::Unseen),
+    ("below", Name::Below),
     ("severity", Name::Severity),
     ("sound", Name::Sound),
     ("countdown", Name::Countdown),
@@ -182,7 +185,7 @@ impl Name {
             Self::Speed => (true, missing()),
             Self::Gear => (false, [words(&["none"]), states()].concat()),
             Self::Odometer => (true, words(&["never"])),
-            Self::Line | Self::Unseen => (false, words(&["none"])),
+            Self::Line | Self::Unseen | Self::Below => (false, words(&["none"])),
             Self::Severity => (false, states()),
             Self::Telltale(_) => (false, words(&["off", "on", "never"])),
             Self::Sound => (false, sound::words().map(str::to_owned).collect()),
@@ -264,6 +267,7 @@ mod tests {
             "gear",
             "line",
             "unseen",
+            "below",
             "severity",
             "sound",
             "countdown",

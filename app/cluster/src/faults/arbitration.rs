@@ -398,6 +398,21 @@ impl Faults {
         Some(Line { position, count, ..Line::of(named, fault.severity, vehicle) })
     }
 
+    /// Returns one of the faults that are milder than the STOP on the line: each stands for four turns, of which it has the
+    /// last even where there is only one place.
+    pub(crate) fn below(&self, vehicle: &Vehicle, timers: &Timers, now: Millis) -> Option<Line> {
+        if self.worst() != Stop {
+            return None;
+        }
+        let told = || self.told().filter(|fault| fault.severity < Stop || self.burns());
+        let count = told().count();
+        let place = (now.0 / (4 * TURN_MS)) as usize % count.max(1);
+        let fault = told().nth(place)?;
+        let named = fault.named(fault.reporter()?.row, vehicle, timers, now);
+        let (position, count) = (place as u8 + 1, count as u8);
+        Some(Line { position, count, ..Line::of(named, fault.severity, vehicle) })
+    }
+
     /// Returns whether the line only says that a node is missing.
     pub(crate) fn misses_a_node(&self) -> bool {
         let reporter = self.turn.and_then(|turn| REPORTERS.get(usize::from(turn.by)));

@@ -219,6 +219,10 @@ pub struct View {
     pub unseen: Option<Line>,
     /// It has the place of the message line now.
     pub says_unseen: bool,
+    /// What is milder than the STOP on the line: the documents want it on the main screen, too.
+    pub below: Option<Line>,
+    /// It has the place of the message line now.
+    pub says_below: bool,
     /// A STOP or fire that nobody has acknowledged: it takes the main page over.
     pub alarm: Option<Line>,
     /// Toggles every half second while the firmware lives: a frozen screen is noticed.
@@ -258,6 +262,8 @@ impl Default for View {
             line: None,
             unseen: None,
             says_unseen: false,
+            below: None,
+            says_below: false,
             alarm: None,
             heartbeat: false,
             language: Language::default(),

@@ -234,3 +234,47 @@ fn of_more_than_there_is_room_for_the_milder_and_the_older_are_left_out() {
     assert!(!told.contains(&FaultId::VehicleLevel), "the oldest made room");
     assert!(told.contains(&FaultId::Charger) && !told.contains(&FaultId::BrakeVacuum), "{told:?}");
 }
+
+#[test]
+fn bus_r119_bus_r123_bus_r125_what_is_milder_is_said_below_a_stop_without_a_button() {
+    let parts = [
+        (V::SteeringState, FaultId::Steering),
+        (V::DcdcState, FaultId::Dcdc),
+        (V::CompressorState, FaultId::Compressor),
+        (V::MotorFault, FaultId::Inverter),
+    ];
+    let mut drive = healthy();
+    for (value, _) in parts {
+        drive.keep(Node::Inverter, value, if value == V::MotorFault { 1 } else { 2 });
+    }
+    drive.run(CYCLE);
+    assert_eq!(drive.view().below, None, "nothing is above them");
+    drive.keep(Node::Inverter, V::BodySmoke, 1);
+    for is_acknowledged in [false, true] {
+        drive.run(CYCLE);
+        if is_acknowledged {
+            drive.cluster.press(Button::Next, drive.now);
+        }
+        let mut told = Vec::new();
+        let mut seconds = [0; 2];
+        for _ in 0..160 {
+            drive.run(100);
+            let view = drive.view();
+            assert_eq!(view.line.map(|line| line.named.fault), Some(FaultId::Smoke), "the STOP has its line");
+            assert_eq!(view.alarm.is_some(), !is_acknowledged);
+            let below = view.below.expect("four are milder");
+            assert_eq!((below.severity, below.count), (Warn, 4));
+            told.push(below.named.fault);
+            seconds[usize::from(view.says_below)] += 1;
+        }
+        told.sort_unstable();
+        told.dedup();
+        let mut expected: Vec<FaultId> = parts.iter().map(|(_, fault)| *fault).collect();
+        expected.sort_unstable();
+        assert_eq!(told, expected, "each has its turn within 16 s");
+        assert_eq!(seconds, [120, 40], "where there is one place the STOP has three seconds of four");
+    }
+    drive.keep(Node::Inverter, V::BodySmoke, 0);
+    drive.run(CYCLE);
+    assert_eq!(drive.view().below, None);
+}
