@@ -6,19 +6,19 @@
 //! | `init`        | power-on      |          | < 20 ms  |          | memory, queue,      |                    |
 //! |               |               |          |          |          | tile_a, tile_b      |                    |
 //! | `can_service` | IO_IRQ_BANK0  | 4        | -        | < 49 us  | frames_in           | can                |
-//! | `panel_done`  | DMA_IRQ_0     | 3        | < 18 us  | < 25 us  | tile_done_in        |                    |
+//! | `panel_done`  | DMA_IRQ_0     | 3        | < 16 us  | < 24 us  | tile_done_in        |                    |
 //! | `link_done`   | DMA_IRQ_1     | 3        | < 16 us  | < 16 us  |                     | link               |
-//! | `tick`        | every 10 ms   | 2        | < 13 ms  | < 7.3 ms | frames_out,         | can, instrument,   |
+//! | `tick`        | every 10 ms   | 2        | < 13 ms  | < 7.4 ms | frames_out,         | can, instrument,   |
 //! |               |               |          |          |          | views_in, wires,    | &boot              |
 //! |               |               |          |          |          | buzzer, led, watch, |                    |
 //! |               |               |          |          |          | keeping             |                    |
-//! | `draw`        | views_out,    | 1        | < 2 ms   | < 9.2 ms | panel, tiles,       | shown, &boot       |
+//! | `draw`        | views_out,    | 1        | < 2 ms   | < 18 ms  | panel, tiles,       | shown, &boot       |
 //! |               | tile_done_out |          |          |          | backlight,          |                    |
 //! |               |               |          |          |          | views_out,          |                    |
 //! |               |               |          |          |          | tile_done_out       |                    |
-//! | `report`      | every 200 ms  | 1        | < 2 ms   | < 9.2 ms |                     | can, instrument,   |
+//! | `report`      | every 200 ms  | 1        | < 2 ms   | < 18 ms  |                     | can, instrument,   |
 //! |               |               |          |          |          |                     | shown, link, &boot |
-//! | (no task)     | TIMER_IRQ_0   | 3        | < 29 us  | < 31 us  |                     |                    |
+//! | (no task)     | TIMER_IRQ_0   | 3        | < 29 us  | < 30 us  |                     |                    |
 //! | `idle`        | nothing else  | 0        |          |          |                     |                    |
 //!
 //! Longest times on the bench, rustc 1.95.0: power-on, the 60 s city drive while pages turn, its frames back to back
