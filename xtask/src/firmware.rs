@@ -130,7 +130,7 @@ pub fn build(options: &Options) -> Result<Image> {
     if let Some(name) = &options.vehicle {
         command.env("CLUSTER_VEHICLE", Tables::named(name)?.vehicle.name);
     }
-    command.args(["--config", &short_paths()]).args(toolchain.arguments());
+    command.args(["--config", &short_paths(TARGET)]).args(toolchain.arguments());
     let built = workspace::target().join(TARGET).join("firmware").join("firmware");
     let name = options.name();
     let patience = if built.exists() { "" } else { "; the first time this takes some minutes" };
@@ -145,12 +145,12 @@ pub fn build(options: &Options) -> Result<Image> {
 }
 
 /// Returns the setting that keeps this machine's folders out of the image: two machines build the same bytes.
-fn short_paths() -> String {
+pub fn short_paths(target: &str) -> String {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| std::env::home_dir().map(|home| home.join(".cargo"))).unwrap_or_default();
     let flags = [(home, "cargo"), (workspace::root(), "cluster")]
         .map(|(folder, name)| format!("{:?}", format!("--remap-path-prefix={}={name}", folder.display())));
-    format!("target.{TARGET}.rustflags=[{}]", flags.join(","))
+    format!("target.{target}.rustflags=[{}]", flags.join(","))
 }
 
 /// Builds the firmware, prints where it is and what it costs.

@@ -33,6 +33,7 @@ mod output;
 mod python;
 mod recording;
 mod reference;
+mod release;
 mod replay;
 mod rooms;
 mod rules;
@@ -116,6 +117,8 @@ enum Command {
     Tasks(tasks::Options),
     /// Measures the firmware on the bench and prints the figures that the README quotes.
     Figures(figures::Options),
+    /// Puts a release together: images, site, one-file bench, changes and checksums
+    Release(release::Options),
     /// Builds the bench as a page that needs no server: a static folder, or one HTML file
     Site(site::Options),
     /// Cuts the power at every byte of a life of the store, and again in every recovery, and compares what is kept.
@@ -179,6 +182,7 @@ fn dispatch(command: Command) -> Result<()> {
         Command::Layers => layers::run(),
         Command::Tasks(options) => tasks::run(&options),
         Command::Figures(options) => figures::run(&options),
+        Command::Release(options) => release::run(&options),
         Command::Site(options) => site::run(&options),
         Command::Cuts(options) => cuts::run(&options),
         Command::Store(options) => store::run(&options),

@@ -50,11 +50,11 @@ pub struct Options {
 }
 
 /// What was built.
-struct Site {
+pub struct Site {
     /// The folder, with `index.html`.
     folder: PathBuf,
     /// The one file.
-    single: PathBuf,
+    pub single: PathBuf,
     /// Image of the firmware's flash.
     flash: Vec<u8>,
 }
@@ -90,7 +90,7 @@ pub fn build_and_compare() -> Result<()> {
 ///
 /// # Errors
 /// Like [`run`].
-fn build(folder: Option<&Path>) -> Result<Site> {
+pub fn build(folder: Option<&Path>) -> Result<Site> {
     let out = crate::output_folder()?;
     let (folder, single) = (folder.map_or_else(|| out.join("site"), Path::to_owned), out.join("bench.html"));
     let elf = firmware::build(&firmware::Options::default())?.elf;
@@ -183,6 +183,8 @@ fn module() -> Result<Vec<u8>> {
         TARGET,
         "--profile",
         "web",
+        "--config",
+        &firmware::short_paths(TARGET),
     ]))?;
     let built = workspace::target().join(TARGET).join("web/bench_web.wasm");
     std::fs::read(&built).with_context(|| format!("the build left no {}", built.display()))

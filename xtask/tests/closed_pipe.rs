@@ -43,6 +43,7 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("fonts", "needs the system's fonts; what it prints is of another program"),
     ("help", "clap's own"),
     ("listen", "prints by what it hears: tools_listen.rs"),
+    ("release", "builds everything"),
     ("run", "needs the firmware"),
     ("screens", "what it prints is of `cargo test`"),
     ("site", "builds the firmware and the browser's module"),
