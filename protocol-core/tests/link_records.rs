@@ -266,9 +266,9 @@ fn framed(payload: &[u8]) -> Vec<u8> {
 
 #[test]
 fn the_wire_format_is_the_one_that_the_module_page_states() {
-    // Version 3, record 4 = Panic, line 7, text of 2 bytes.
+    // Version 4, record 4 = Panic, line 7, text of 2 bytes.
     let record = Record::Panic { line: 7, text: "ab".into() };
-    assert_eq!(encoded(&record), framed(&[3, 4, 7, 2, b'a', b'b']));
+    assert_eq!(encoded(&record), framed(&[4, 4, 7, 2, b'a', b'b']));
 }
 
 #[test]
@@ -307,7 +307,7 @@ fn the_crc_of_a_frame_is_crc_16_ibm_3740() {
 #[test]
 fn a_fault_is_the_number_of_its_row_its_stage_and_its_code() {
     let fault = Fault { place: 1, fault: 5, stage: 2, code: Some(105), severity: 3, first_ms: 9, times: 4 };
-    let bytes = framed(&[3, 6, 7, 1, 1, 5, 2, 1, 105, 3, 9, 4]);
+    let bytes = framed(&[4, 6, 7, 1, 1, 5, 2, 1, 105, 3, 9, 4]);
     assert_eq!(encoded(&Record::Active { count: 7, fault: Some(fault) }), bytes);
 }
 
