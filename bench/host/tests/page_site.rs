@@ -113,11 +113,11 @@ fn keys_alone_drive_it_in_both_languages() {
 #[test]
 fn a_link_plays_a_scenario_that_a_second_worker_judges() {
     let Some(mut visit) = open_single("#play=jiulong/gears", 1440, 900) else { return };
-    visit.browser.wait_for("catalog.vehicle === 'jiulong' && state.playing?.name === 'gears'");
+    visit.browser.wait_for("catalog.vehicle === 'jiulong' && state?.playing?.name === 'gears'");
     visit.browser.eval("send({ do: 'speed', factor: 0 })");
     visit
         .browser
-        .wait_for("state.playing.checks?.length && state.playing.checks.every(check => check.found)");
+        .wait_for("state?.playing?.checks?.length && state.playing.checks.every(check => check.found)");
     assert_eq!(visit.browser.number("state.playing.checks.filter(check => !check.found.passed).length"), 0.0);
     visit.leave();
 }
@@ -125,11 +125,11 @@ fn a_link_plays_a_scenario_that_a_second_worker_judges() {
 #[test]
 fn a_scenario_with_golden_pictures_is_judged_without_a_folder() {
     let Some(mut visit) = open_single("#play=citybus/fire", 1440, 900) else { return };
-    visit.browser.wait_for("state.playing?.name === 'fire'");
+    visit.browser.wait_for("state?.playing?.name === 'fire'");
     visit.browser.eval("send({ do: 'speed', factor: 0 })");
     visit
         .browser
-        .wait_for("state.playing.checks?.length && state.playing.checks.every(check => check.found)");
+        .wait_for("state?.playing?.checks?.length && state.playing.checks.every(check => check.found)");
     let failed = visit.browser.text(
         "state.playing.checks.filter(check => !check.found.passed).map(check => check.expected + ': ' + check.found.got).join('; ')",
     );
@@ -153,7 +153,7 @@ fn a_dropped_file_is_read_played_or_refused_with_its_line() {
     let told = visit.drop_file("mine.log", &log);
     assert!(told.starts_with("recording: ") && told.contains("vehicle_speed"), "{told}");
     visit.browser.wait_for("catalog.recording === 'mine.log' && catalog.vehicle === null");
-    visit.browser.wait_for("state.counts[0] > 100");
+    visit.browser.wait_for("state?.counts[0] > 100");
 
     let told = visit.drop_file("noise.bin", &[0, 1, 2, 3, 0xFF]);
     assert!(told.starts_with("other: "), "{told}");
