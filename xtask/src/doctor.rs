@@ -37,6 +37,11 @@ pub fn run() -> Result<()> {
         "for the test of the page: `apt-get install chromium`, or its path in CHROME",
     )?;
     line(
+        "node",
+        version("node").as_deref(),
+        "a second place for the bench in a browser: `apt-get install nodejs`",
+    )?;
+    line(
         "cargo-deny",
         version("cargo-deny").as_deref(),
         "licences and advisories: `cargo install --locked cargo-deny`",
